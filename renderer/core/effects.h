@@ -1,0 +1,31 @@
+// The effects that a scene can call for. What a scene does not call for is not compiled.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <string>
+
+namespace glimt {
+
+enum class Effect {
+  triangle_lights,  // triangles that emit, sampled as lights
+  environment,      // light from outside the scene
+  smooth_normals,   // shading normals interpolated over a triangle
+};
+
+inline constexpr int kEffectCount = 3;
+
+using EffectSet = std::bitset<kEffectCount>;
+
+inline bool has(const EffectSet& effects, Effect effect) {
+  return effects[static_cast<std::size_t>(effect)];
+}
+
+// As the command line and, in capitals, the shaders call it.
+inline std::string nameOf(Effect effect) {
+  constexpr std::array<const char*, kEffectCount> kNames{"triangle_lights", "environment",
+                                                         "smooth_normals"};
+  return kNames[static_cast<std::size_t>(effect)];
+}
+
+}  // namespace glimt

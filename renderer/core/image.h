@@ -1,0 +1,25 @@
+// Pictures in memory.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/core/vector.h"
+
+namespace glimt {
+
+// Linear radiance, Rec. 709 primaries; rows from the top, pixels from the left.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<Vec3> pixels;
+};
+
+// Display values, sRGB-encoded, three bytes a pixel; rows from the top, pixels from the left.
+struct DisplayImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> bytes;
+};
+
+}  // namespace glimt

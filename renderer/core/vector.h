@@ -1,0 +1,11 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace glimt {
+
+using Vec2 = glm::vec2;
+using Vec3 = glm::vec3;
+using Vec4 = glm::vec4;
+
+}  // namespace glimt

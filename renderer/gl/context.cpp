@@ -1,0 +1,38 @@
+#include "renderer/gl/context.h"
+
+#include <fmt/format.h>
+
+namespace glimt::gl {
+namespace {
+
+class AdoptedContext final : public Context {
+ public:
+  explicit AdoptedContext(const ProcLoader& loader) { initialize("window", 2, loader); }
+  void makeCurrent() override {}
+};
+
+std::string text(const Functions& gl, GLenum name) {
+  const GLubyte* value = gl.GetString(name);
+  return value ? reinterpret_cast<const char*>(value) : "";
+}
+
+}  // namespace
+
+void Context::initialize(const std::string& backend, int gles, const ProcLoader& loader) {
+  functions_ = Functions::load(loader);
+  info_.backend = backend;
+  info_.renderer = text(functions_, GL_RENDERER);
+  info_.version = text(functions_, GL_VERSION);
+  info_.gles = gles;
+  extensions_ = fmt::format(" {} ", text(functions_, GL_EXTENSIONS));
+}
+
+bool Context::hasExtension(const std::string& name) const {
+  return extensions_.find(fmt::format(" {} ", name)) != std::string::npos;
+}
+
+std::unique_ptr<Context> adoptContext(const ProcLoader& loader) {
+  return std::make_unique<AdoptedContext>(loader);
+}
+
+}  // namespace glimt::gl

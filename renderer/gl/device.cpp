@@ -1,0 +1,72 @@
+#include "renderer/gl/device.h"
+
+#include <array>
+
+#include "renderer/core/error.h"
+
+namespace glimt::gl {
+namespace {
+
+FloatForm requireFloatForm(const Functions& gl) {
+  const auto form = findFloatForm(gl, {FloatForm::sized, FloatForm::unsized});
+  if (!form)
+    throw Error(ErrorKind::no_gl,
+                "the context cannot draw into textures of 32-bit floats (RGBA32F); try another "
+                "driver or --backend");
+  return *form;
+}
+
+// One triangle that covers the viewport.
+BufferHandle makeTriangle(const Functions& gl) {
+  constexpr std::array<float, 6> kCorners{-1, -1, 3, -1, -1, 3};
+  GLuint name = 0;
+  gl.GenBuffers(1, &name);
+  BufferHandle buffer(gl, name);
+  gl.BindBuffer(GL_ARRAY_BUFFER, name);
+  gl.BufferData(GL_ARRAY_BUFFER, sizeof(kCorners), kCorners.data(), GL_STATIC_DRAW);
+  return buffer;
+}
+
+}  // namespace
+
+std::optional<FloatForm> findFloatForm(const Functions& gl, const std::vector<FloatForm>& forms) {
+  const Vec4 probe(16777215.0f, 16777213.0f, -16777215.0f, 1.0f / 16777215.0f);
+  for (const FloatForm form : forms) {
+    try {
+      const Target target(Texture::floats(gl, form, 1, 1, {probe}));
+      if (target.readFloats()[0] == probe) return form;
+    } catch (const Error&) {  // this form is not for this context; the next one may be
+    }
+  }
+  return std::nullopt;
+}
+
+Device::Device(Context& context)
+    : gl_(&context.functions()),
+      info_(context.info()),
+      float_form_(requireFloatForm(*gl_)),
+      triangle_(makeTriangle(*gl_)) {
+  gl_->GetIntegerv(GL_MAX_TEXTURE_SIZE, &max_texture_size_);
+  // Desktop GL blends whatever it can draw to; ES wants an extension for 32-bit floats.
+  const bool es = info_.version.find("OpenGL ES") != std::string::npos;
+  float_blending_ = !es || context.hasExtension("GL_EXT_float_blend");
+  gl_->PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl_->BlendFunc(GL_ONE, GL_ONE);
+}
+
+void Device::draw(const Tile& tile) const {
+  gl_->Enable(GL_SCISSOR_TEST);
+  gl_->Scissor(tile.x, tile.y, tile.width, tile.height);
+  gl_->BindBuffer(GL_ARRAY_BUFFER, triangle_.name());
+  gl_->EnableVertexAttribArray(0);
+  gl_->VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+  gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Device::drawAdding(const Tile& tile) const {
+  gl_->Enable(GL_BLEND);
+  draw(tile);
+  gl_->Disable(GL_BLEND);
+}
+
+}  // namespace glimt::gl

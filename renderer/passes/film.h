@@ -1,0 +1,39 @@
+// The targets that a picture is made in.
+#pragma once
+
+#include <array>
+
+#include "renderer/gl/device.h"
+
+namespace glimt {
+
+// Two targets, one to read and one to write, which change places.
+class TargetPair {
+ public:
+  TargetPair() = default;
+  TargetPair(const gl::Device& device, int width, int height);
+
+  const gl::Target& front() const { return targets_[front_]; }  // to read
+  const gl::Target& back() const { return targets_[1 - front_]; }  // to write
+  void swap() { front_ = 1 - front_; }
+  void clear();
+
+ private:
+  std::array<gl::Target, 2> targets_;
+  std::size_t front_ = 0;
+};
+
+struct Film {
+  Film() = default;
+  // Errors: usage, when the picture is larger than the device's textures.
+  Film(const gl::Device& device, int width, int height);
+
+  int width() const { return mean.front().width(); }
+  int height() const { return mean.front().height(); }
+
+  TargetPair record;    // hit records of this bounce and of the next
+  TargetPair radiance;  // of this sample; the back one only where the device cannot blend floats
+  TargetPair mean;      // mean of the samples so far; their number in the fourth channel
+};
+
+}  // namespace glimt

@@ -1,0 +1,35 @@
+// Which triangle a light sample goes to.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/scene/scene.h"
+
+namespace glimt {
+
+// An alias table: to choose with u in [0, 1), entry i = floor(u * size); its own triangle if the
+// fraction of u * size is below `share`, else the triangle of entry `other`. Vose 1991, "A Linear
+// Algorithm for Generating Random Numbers with a Given Distribution".
+struct LightEntry {
+  float share = 1;
+  std::uint32_t other = 0;
+  std::uint32_t triangle = 0;  // into Scene::triangles
+};
+
+struct LightTable {
+  std::vector<LightEntry> entries;  // one per triangle that emits
+  double total_power = 0;           // sum of area * emissionWeight, square metres * radiance
+};
+
+// The radiance by which a material's triangles are chosen, per area: the mean of the channels,
+// twice that where both sides emit.
+float emissionWeight(const Material& material);
+
+// Density of light samples on a surface of this material, per square metre.
+float lightDensity(const LightTable& table, const Material& material);
+
+// Triangles in proportion to area * emissionWeight.
+LightTable buildLightTable(const Scene& scene);
+
+}  // namespace glimt

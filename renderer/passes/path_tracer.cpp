@@ -1,0 +1,160 @@
+#include "renderer/passes/path_tracer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "renderer/scene/effects_of.h"
+
+namespace glimt {
+namespace {
+
+// Bands begin at multiples of this many rows, which is how tiled rasterisers divide a target.
+constexpr int kBandRows = 64;
+
+// The dimensions of a stage's sample point.
+std::uint32_t dimensionSet(Pass pass, int bounce) {
+  return 2 * static_cast<std::uint32_t>(bounce) + (pass == Pass::light ? 1 : 0);
+}
+
+}  // namespace
+
+PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
+                       const PathTracerSettings& settings)
+    : device_(&device),
+      points_(settings.seed),
+      scene_(device, scene),
+      offsets_(points_.makeOffsets(device)),
+      camera_(scene.camera) {
+  compile(scene, settings.traversal);
+  for (int bounce = 0; bounce <= settings.bounces; ++bounce) {
+    stages_.push_back({bounce == 0 ? Pass::camera : Pass::trace, bounce});
+    stages_.push_back({Pass::light, bounce});
+  }
+  stages_.push_back({Pass::accumulate, 0});
+}
+
+void PathTracer::compile(const Scene& scene, const std::string& traversal) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::string vertex = composeVertexShader();
+  for (const Pass pass : {Pass::camera, Pass::trace, Pass::light, Pass::accumulate}) {
+    const ShaderRequest request{pass, effectsOf(scene), traversal, device_->floatBlending()};
+    programs_.emplace(pass, gl::Program(device_->gl(), nameOf(pass), vertex,
+                                        composeFragmentShader(request)));
+  }
+  compile_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void PathTracer::setCamera(const Camera& camera) {
+  camera_ = camera;
+  restart();
+}
+
+void PathTracer::resize(int width, int height) {
+  if (width == film_.width() && height == film_.height()) return;
+  film_ = Film(*device_, width, height);
+  restart();
+}
+
+void PathTracer::restart() {
+  film_.mean.clear();
+  samples_ = 0;
+  stage_ = 0;
+  row_ = 0;
+}
+
+bool PathTracer::drawTile(double pixels) {
+  const Stage stage = stages_[stage_];
+  if (row_ == 0) beginStage(stage);
+  const int bands = std::max(1, static_cast<int>(pixels / film_.width() / kBandRows));
+  const int rows = std::min(bands * kBandRows, film_.height() - row_);
+  drawStage(stage, {0, row_, film_.width(), rows});
+  row_ += rows;
+  if (row_ < film_.height()) return false;
+
+  endStage(stage);
+  row_ = 0;
+  stage_ = (stage_ + 1) % stages_.size();
+  if (stage_ != 0) return false;
+  ++samples_;
+  rays_counted_ = true;
+  return true;
+}
+
+void PathTracer::beginStage(const Stage& stage) {
+  if (stage.pass == Pass::camera) film_.radiance.clear();
+}
+
+void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
+  gl::Program& program = this->program(stage.pass);
+  program.use();
+  program.set("uZero", Vec4(0));
+  program.set("uPictureSize", Vec2(film_.width(), film_.height()));
+  if (stage.pass == Pass::accumulate) {
+    program.set("uRadiance", film_.radiance.front().texture());
+    program.set("uMean", film_.mean.front().texture());
+    film_.mean.back().bind();
+    device_->draw(tile);
+    return;
+  }
+  scene_.bind(program);
+  bindSamplePoint(program, stage);
+  program.set("uRecord", film_.record.front().texture());
+  if (stage.pass != Pass::light) {
+    bindCamera(program);
+    film_.record.back().bind();
+    device_->draw(tile);
+    return;
+  }
+  program.set("uLastSurface", stage.bounce == stages_[stages_.size() - 2].bounce ? 1.0f : 0.0f);
+  if (device_->floatBlending()) {
+    film_.radiance.front().bind();
+    device_->drawAdding(tile);
+  } else {
+    program.set("uRadiance", film_.radiance.front().texture());
+    film_.radiance.back().bind();
+    device_->draw(tile);
+  }
+}
+
+void PathTracer::endStage(const Stage& stage) {
+  if (stage.pass == Pass::accumulate) {
+    film_.mean.swap();
+  } else if (stage.pass == Pass::light) {
+    if (!device_->floatBlending()) film_.radiance.swap();
+  } else {
+    film_.record.swap();
+    if (!rays_counted_) countRays(stage);
+  }
+}
+
+void PathTracer::countRays(const Stage& stage) {
+  const std::vector<Vec4> records = film_.record.front().readFloats();
+  const auto live = static_cast<double>(
+      std::count_if(records.begin(), records.end(), [](const Vec4& r) { return r.x != 0; }));
+  if (stage.pass == Pass::camera) rays_.camera = static_cast<double>(records.size());
+  if (stage.bounce < stages_[stages_.size() - 2].bounce) rays_.bounce += live;
+  rays_.shadow += live;
+}
+
+void PathTracer::bindSamplePoint(gl::Program& program, const Stage& stage) const {
+  const std::uint32_t set = dimensionSet(stage.pass, stage.bounce);
+  program.set("uPoint", points_.point(static_cast<std::uint32_t>(samples_), set));
+  program.set("uOffsetsShift", points_.offsetsShift(set));
+  program.set("uOffsets", offsets_);
+}
+
+void PathTracer::bindCamera(gl::Program& program) const {
+  const Vec3 forward = glm::normalize(camera_.target - camera_.position);
+  const Vec3 right = glm::normalize(glm::cross(forward, camera_.up));
+  const Vec3 up = glm::cross(right, forward);
+  const float half_height = std::tan(glm::radians(camera_.vertical_fov) / 2);
+  const float half_width =
+      half_height * static_cast<float>(film_.width()) / static_cast<float>(film_.height());
+  program.set("uCameraPosition", camera_.position);
+  program.set("uCameraForward", forward);
+  program.set("uCameraRight", right * half_width);
+  program.set("uCameraUp", up * half_height);
+}
+
+}  // namespace glimt

@@ -1,0 +1,82 @@
+// The ping-pong loop: one pass per bounce, each cut into tiles.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "renderer/gl/device.h"
+#include "renderer/gl/program.h"
+#include "renderer/passes/film.h"
+#include "renderer/passes/sample_points.h"
+#include "renderer/passes/scene_textures.h"
+#include "renderer/shader/composer.h"
+
+namespace glimt {
+
+struct PathTracerSettings {
+  int bounces = 4;
+  std::uint32_t seed = 0;
+  std::string traversal;
+};
+
+// Rays of the first sample.
+struct RayCounts {
+  double camera = 0;
+  double bounce = 0;
+  double shadow = 0;  // at most: one for each hit that asked for light
+};
+
+class PathTracer {
+ public:
+  PathTracer(const gl::Device& device, const Scene& scene, const PathTracerSettings& settings);
+
+  void setCamera(const Camera& camera);
+  void resize(int width, int height);
+
+  // Forgets all samples.
+  void restart();
+
+  // One draw, of at most about `pixels` pixels. True when it completed a sample.
+  bool drawTile(double pixels);
+
+  int samples() const { return samples_; }
+  const Film& film() const { return film_; }
+  const SceneTextures& scene() const { return scene_; }
+  const RayCounts& rays() const { return rays_; }
+  double compileSeconds() const { return compile_seconds_; }
+
+ private:
+  // One pass of a sample.
+  struct Stage {
+    Pass pass;
+    int bounce;
+  };
+
+  gl::Program& program(Pass pass) { return programs_.at(pass); }
+  void compile(const Scene& scene, const std::string& traversal);
+  void beginStage(const Stage& stage);
+  void drawStage(const Stage& stage, const gl::Tile& tile);
+  void endStage(const Stage& stage);
+  void countRays(const Stage& stage);
+  void bindSamplePoint(gl::Program& program, const Stage& stage) const;
+  void bindCamera(gl::Program& program) const;
+
+  const gl::Device* device_;
+  SamplePoints points_;
+  SceneTextures scene_;
+  gl::Texture offsets_;
+  std::map<Pass, gl::Program> programs_;
+  std::vector<Stage> stages_;
+  Film film_;
+  Camera camera_;
+  RayCounts rays_;
+  double compile_seconds_ = 0;
+  bool rays_counted_ = false;
+
+  // Where the work stands.
+  int samples_ = 0;
+  std::size_t stage_ = 0;
+  int row_ = 0;  // the first that is not drawn yet
+};
+
+}  // namespace glimt

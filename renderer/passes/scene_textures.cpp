@@ -1,0 +1,149 @@
+#include "renderer/passes/scene_textures.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "renderer/bvh/octant_layout.h"
+#include "renderer/core/error.h"
+#include "renderer/passes/data_texture.h"
+#include "renderer/passes/light_table.h"
+#include "shaders/layout.h"
+
+namespace glimt {
+namespace {
+
+// Two values of the hit record's 23 bits mean something else; see shaders/hit_record.glsl.
+constexpr std::size_t kMaxTriangles = (std::size_t{1} << 23) - 2;
+
+std::vector<Bounds> boundsOf(const Scene& scene) {
+  std::vector<Bounds> boxes;
+  boxes.reserve(scene.triangles.size());
+  for (const Triangle& triangle : scene.triangles) {
+    Bounds box;
+    for (const std::uint32_t index : triangle.positions) box.include(scene.positions[index]);
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+std::vector<Vec4> packTriangles(const Scene& scene, const Bvh& bvh) {
+  std::vector<Vec4> texels;
+  texels.reserve(scene.triangles.size() * static_cast<std::size_t>(TRIANGLE_TEXELS));
+  for (const std::uint32_t index : bvh.order) {
+    const Triangle& triangle = scene.triangles[index];
+    texels.emplace_back(scene.positions[triangle.positions[0]], 1.0f + static_cast<float>(triangle.material));
+    texels.emplace_back(scene.positions[triangle.positions[1]], 0.0f);
+    texels.emplace_back(scene.positions[triangle.positions[2]], 0.0f);
+  }
+  for (const BvhNode& node : bvh.nodes) {
+    if (!node.leaf()) continue;
+    const std::size_t last = node.first + node.count - 1u;
+    texels[last * static_cast<std::size_t>(TRIANGLE_TEXELS)].w *= -1.0f;
+  }
+  return texels;
+}
+
+// As decodeOctahedral in shaders/octahedral.glsl undoes it.
+Vec2 encodeOctahedral(const Vec3& v) {
+  const Vec2 p = Vec2(v) / (std::abs(v.x) + std::abs(v.y) + std::abs(v.z));
+  if (v.z >= 0) return p;
+  return {std::copysign(1 - std::abs(p.y), v.x), std::copysign(1 - std::abs(p.x), v.y)};
+}
+
+std::vector<Vec4> packNormals(const Scene& scene, const Bvh& bvh) {
+  std::vector<Vec4> texels;
+  texels.reserve(scene.triangles.size() * static_cast<std::size_t>(NORMAL_TEXELS));
+  for (const std::uint32_t index : bvh.order) {
+    const Triangle& triangle = scene.triangles[index];
+    if (!triangle.smooth()) {
+      texels.resize(texels.size() + static_cast<std::size_t>(NORMAL_TEXELS), Vec4(0));
+      continue;
+    }
+    texels.emplace_back(encodeOctahedral(scene.normals[triangle.normals[0]]),
+                        encodeOctahedral(scene.normals[triangle.normals[1]]));
+    texels.emplace_back(encodeOctahedral(scene.normals[triangle.normals[2]]), Vec2(1, 0));
+  }
+  return texels;
+}
+
+std::vector<Vec4> packMaterials(const Scene& scene, const LightTable& lights) {
+  std::vector<Vec4> texels;
+  for (const Material& material : scene.materials) {
+    texels.emplace_back(material.base_color, material.double_sided ? 1.0f : 0.0f);
+    texels.emplace_back(material.emission, lightDensity(lights, material));
+  }
+  return texels;
+}
+
+std::vector<Vec4> packLights(const LightTable& lights, const Bvh& bvh) {
+  std::vector<std::uint32_t> place(bvh.order.size());
+  for (std::uint32_t i = 0; i < bvh.order.size(); ++i) place[bvh.order[i]] = i;
+  std::vector<Vec4> texels;
+  for (const LightEntry& entry : lights.entries)
+    texels.emplace_back(entry.share, static_cast<float>(entry.other),
+                        static_cast<float>(place[entry.triangle]), 0.0f);
+  return texels;
+}
+
+// Where both kinds of light are there, each gets half the samples: which one matters differs from
+// point to point, and half is never off by more than a factor of two.
+float environmentShare(const Scene& scene, const LightTable& lights) {
+  const bool environment = scene.environment.radiance() != Vec3(0);
+  const bool triangles = !lights.entries.empty();
+  return environment ? (triangles ? 0.5f : 1.0f) : 0.0f;
+}
+
+void bindData(gl::Program& program, const std::string& name, const gl::Texture& texture) {
+  program.set(name, texture);
+  program.set(name + "Size", Vec2(texture.width(), texture.height()));
+}
+
+}  // namespace
+
+SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene) {
+  if (scene.triangles.size() > kMaxTriangles)
+    throw Error(ErrorKind::input, fmt::format("the scene has {} triangles, and {} is the most that "
+                                              "can be rendered; use a smaller model",
+                                              scene.triangles.size(), kMaxTriangles));
+  const auto start = std::chrono::steady_clock::now();
+  const Bvh bvh = buildBvh(boundsOf(scene));
+  OctantLayout octants = layOutOctants(bvh);
+  build_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+  const LightTable lights = buildLightTable(scene);
+  nodes_ = makeDataTexture(device, std::move(octants.texels), "tree nodes");
+  triangles_ = makeDataTexture(device, packTriangles(scene, bvh), "triangles");
+  materials_ = makeDataTexture(device, packMaterials(scene, lights), "materials");
+  lights_ = makeDataTexture(device, packLights(lights, bvh), "lights");
+  const bool smooth = !scene.normals.empty();
+  normals_ = makeDataTexture(
+      device, smooth ? packNormals(scene, bvh) : std::vector<Vec4>(), "normals");
+  node_count_ = bvh.nodes.size();
+  nodes_per_octant_ = octants.nodes_per_octant;
+  light_count_ = lights.entries.size();
+  environment_share_ = environmentShare(scene, lights);
+  environment_radiance_ = scene.environment.radiance();
+}
+
+void SceneTextures::bind(gl::Program& program) const {
+  bindData(program, "uNodes", nodes_);
+  bindData(program, "uTriangles", triangles_);
+  bindData(program, "uMaterials", materials_);
+  bindData(program, "uNormals", normals_);
+  bindData(program, "uLights", lights_);
+  program.set("uNodesPerOctant", static_cast<float>(nodes_per_octant_));
+  program.set("uLightCount", static_cast<float>(light_count_));
+  program.set("uEnvironmentShare", environment_share_);
+  program.set("uEnvironmentRadiance", environment_radiance_);
+}
+
+std::size_t SceneTextures::bytes() const {
+  std::size_t texels = 0;
+  for (const gl::Texture* texture : {&nodes_, &triangles_, &normals_, &materials_, &lights_})
+    texels += static_cast<std::size_t>(texture->width()) * static_cast<std::size_t>(texture->height());
+  return texels * sizeof(Vec4);
+}
+
+}  // namespace glimt

@@ -1,0 +1,37 @@
+// A scene and its tree as textures.
+#pragma once
+
+#include "renderer/bvh/bvh.h"
+#include "renderer/gl/device.h"
+#include "renderer/gl/program.h"
+#include "renderer/scene/scene.h"
+
+namespace glimt {
+
+class SceneTextures {
+ public:
+  // Errors: input, when the scene is larger than the device's textures or the hit record can hold.
+  SceneTextures(const gl::Device& device, const Scene& scene);
+
+  // Sets every uniform that speaks of the scene, for the program in use.
+  void bind(gl::Program& program) const;
+
+  std::size_t nodeCount() const { return node_count_; }
+  std::size_t bytes() const;
+  double buildSeconds() const { return build_seconds_; }
+
+ private:
+  gl::Texture nodes_;
+  gl::Texture triangles_;
+  gl::Texture normals_;
+  gl::Texture materials_;
+  gl::Texture lights_;
+  std::size_t node_count_ = 0;
+  std::size_t nodes_per_octant_ = 0;
+  std::size_t light_count_ = 0;
+  float environment_share_ = 0;
+  Vec3 environment_radiance_{0};
+  double build_seconds_ = 0;
+};
+
+}  // namespace glimt

@@ -1,0 +1,154 @@
+#include "renderer/renderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "renderer/gl/context.h"
+#include "renderer/passes/path_tracer.h"
+
+namespace glimt {
+namespace {
+
+// A draw is cut so that it takes about this long: short enough for a window to answer, long enough
+// that starting it costs nothing.
+constexpr double kDrawSeconds = 0.03;
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+PathTracerSettings pathTracerSettings(const RenderSettings& settings) {
+  const std::string traversal =
+      settings.traversal == "auto" ? traversalNames().front() : settings.traversal;
+  return {settings.bounces, settings.seed, traversal};
+}
+
+}  // namespace
+
+class Renderer::State {
+ public:
+  State(gl::Context& context, const Scene& scene, const RenderSettings& settings)
+      : device(context),
+        traversal(pathTracerSettings(settings).traversal),
+        triangles(scene.triangles.size()),
+        tracer(device, scene, pathTracerSettings(settings)) {
+    tracer.resize(settings.width, settings.height);
+  }
+
+  // Draws a tile and learns from the time it took how large the next may be.
+  bool drawTile() {
+    const double start = now();
+    const bool sample_complete = tracer.drawTile(pixels_per_draw_);
+    device.gl().Finish();
+    const double seconds = std::max(now() - start, 1e-6);
+    pixels_per_draw_ *= std::clamp(kDrawSeconds / seconds, 0.25, 2.0);
+    pixels_per_draw_ = std::clamp(pixels_per_draw_, 4096.0, 1e9);
+    return sample_complete;
+  }
+
+  void drawDisplay(int width, int height, float exposure) {
+    if (!display_)
+      display_.emplace(device.gl(), nameOf(Pass::display), composeVertexShader(),
+                       composeFragmentShader({Pass::display, {}, {}, false}));
+    display_->use();
+    display_->set("uZero", Vec4(0));
+    display_->set("uMean", tracer.film().mean.front().texture());
+    display_->set("uDisplaySize", Vec2(width, height));
+    display_->set("uExposureScale", std::exp2(exposure));
+    device.draw({0, 0, width, height});
+  }
+
+  gl::Device device;
+  std::string traversal;
+  std::size_t triangles;
+  PathTracer tracer;
+
+ private:
+  std::optional<gl::Program> display_;
+  double pixels_per_draw_ = 65536;
+};
+
+Renderer::Renderer(ContextHandle& context, const Scene& scene, const RenderSettings& settings)
+    : state_(std::make_unique<State>(context.get(), scene, settings)) {}
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Renderer::~Renderer() = default;
+
+void Renderer::setCamera(const Camera& camera) { state_->tracer.setCamera(camera); }
+
+void Renderer::resize(int width, int height) { state_->tracer.resize(width, height); }
+
+void Renderer::renderSample() {
+  while (!state_->drawTile()) {
+  }
+}
+
+int Renderer::advance(double seconds) {
+  const double end = now() + seconds;
+  int completed = 0;
+  do {
+    completed += state_->drawTile();
+  } while (now() < end);
+  return completed;
+}
+
+int Renderer::samples() const { return state_->tracer.samples(); }
+
+Image Renderer::radiance() {
+  const gl::Target& mean = state_->tracer.film().mean.front();
+  const std::vector<Vec4> texels = mean.readFloats();
+  Image image{mean.width(), mean.height(), {}};
+  image.pixels.reserve(texels.size());
+  for (int y = image.height - 1; y >= 0; --y)  // GL's rows begin at the bottom
+    for (int x = 0; x < image.width; ++x)
+      image.pixels.emplace_back(texels[static_cast<std::size_t>(y) * image.width + x]);
+  return image;
+}
+
+int Renderer::nonfinitePixels() {
+  const std::vector<Vec4> texels = state_->tracer.film().mean.front().readFloats();
+  const auto samples = static_cast<float>(state_->tracer.samples());
+  return static_cast<int>(std::count_if(texels.begin(), texels.end(),
+                                        [&](const Vec4& texel) { return texel.a < samples; }));
+}
+
+DisplayImage Renderer::display(float exposure) {
+  const Film& film = state_->tracer.film();
+  const gl::Target target(gl::Texture::bytes(state_->device.gl(), film.width(), film.height()));
+  target.bind();
+  state_->drawDisplay(film.width(), film.height(), exposure);
+  const std::vector<unsigned char> bytes = target.readBytes();
+  DisplayImage image{film.width(), film.height(), {}};
+  image.bytes.reserve(bytes.size() / 4 * 3);
+  for (int y = image.height - 1; y >= 0; --y)
+    for (int x = 0; x < image.width; ++x)
+      for (int channel = 0; channel < 3; ++channel)
+        image.bytes.push_back(
+            bytes[(static_cast<std::size_t>(y) * image.width + x) * 4 + channel]);
+  return image;
+}
+
+void Renderer::present(int framebuffer_width, int framebuffer_height, float exposure) {
+  const gl::Functions& gl = state_->device.gl();
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  gl.Viewport(0, 0, framebuffer_width, framebuffer_height);
+  state_->drawDisplay(framebuffer_width, framebuffer_height, exposure);
+}
+
+RenderStatistics Renderer::statistics() const {
+  const PathTracer& tracer = state_->tracer;
+  RenderStatistics statistics;
+  statistics.traversal = state_->traversal;
+  statistics.triangles = state_->triangles;
+  statistics.nodes = tracer.scene().nodeCount();
+  statistics.texture_bytes = tracer.scene().bytes();
+  statistics.bvh_seconds = tracer.scene().buildSeconds();
+  statistics.compile_seconds = tracer.compileSeconds();
+  statistics.camera_rays = tracer.rays().camera;
+  statistics.bounce_rays = tracer.rays().bounce;
+  statistics.shadow_rays = tracer.rays().shadow;
+  return statistics;
+}
+
+}  // namespace glimt

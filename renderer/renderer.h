@@ -1,0 +1,114 @@
+// glimt's renderer: a Scene in, a picture that converges out.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "renderer/core/context_info.h"
+#include "renderer/core/image.h"
+#include "renderer/scene/scene.h"
+
+namespace glimt {
+
+namespace gl {
+class Context;
+}
+
+// --- Where GL comes from ---------------------------------------------------------------------
+
+enum class Backend { automatic, egl, osmesa };
+
+class ContextHandle {
+ public:
+  explicit ContextHandle(std::unique_ptr<gl::Context> context);
+  ContextHandle(ContextHandle&&) noexcept;
+  ContextHandle& operator=(ContextHandle&&) noexcept;
+  ~ContextHandle();
+
+  ContextInfo info() const;
+  gl::Context& get() const { return *context_; }
+
+ private:
+  std::unique_ptr<gl::Context> context_;
+};
+
+// A context without a window, current on this thread. `gles` is 2 or 3.
+// Errors: no_gl, naming every way that was tried and what it answered.
+ContextHandle createOffscreenContext(Backend backend, int gles);
+
+// The context that a window library has made current on this thread.
+using ProcLoader = std::function<void*(const char* name)>;
+ContextHandle adoptCurrentContext(const ProcLoader& load);
+
+// --- Rendering -------------------------------------------------------------------------------
+
+struct RenderSettings {
+  int width = 512;
+  int height = 512;
+  int bounces = 4;         // secondary bounces: a path has at most bounces + 1 scattering surfaces
+  std::uint32_t seed = 0;  // same seed, same context: the same picture, bit for bit
+  std::string traversal = "auto";
+};
+
+struct RenderStatistics {
+  std::string traversal;              // the variant in use
+  std::size_t triangles = 0;
+  std::size_t nodes = 0;              // of the BVH
+  std::size_t texture_bytes = 0;      // geometry, tree and materials on the GPU
+  double bvh_seconds = 0;
+  double compile_seconds = 0;
+  // Rays per picture of one sample, counted in the first one. Shadow rays are those that were cast.
+  double camera_rays = 0;
+  double bounce_rays = 0;
+  double shadow_rays = 0;
+};
+
+class Renderer {
+ public:
+  // Builds the tree, uploads the scene and compiles the programs that the scene calls for. The
+  // context is current and outlives the renderer.
+  // Errors: usage for an unknown traversal, input for a scene larger than the device's textures,
+  // no_gl where the device has no float target, failed for a shader that does not compile.
+  Renderer(ContextHandle& context, const Scene& scene, const RenderSettings& settings);
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+  ~Renderer();
+
+  // Starts the picture again.
+  void setCamera(const Camera& camera);
+  void resize(int width, int height);
+
+  // Adds one sample to every pixel.
+  void renderSample();
+
+  // Works for about `seconds`, in draws that are each much shorter, and leaves the rest of a sample
+  // for the next call. Returns the number of samples that were completed.
+  int advance(double seconds);
+
+  // Complete samples in the picture.
+  int samples() const;
+
+  // The mean so far. Pixels without a sample are black.
+  Image radiance();
+
+  // Pixels that have lost a sample to a value that was not finite, or to a traversal cut short.
+  int nonfinitePixels();
+
+  // The picture as a display shows it: radiance * 2^exposure, clipped at 1, sRGB-encoded.
+  DisplayImage display(float exposure);
+
+  // Draws the same into the window's framebuffer, scaled to its size in pixels.
+  void present(int framebuffer_width, int framebuffer_height, float exposure);
+
+  RenderStatistics statistics() const;
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace glimt

@@ -1,0 +1,132 @@
+#include "renderer/shader/composer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <optional>
+
+#include "renderer/core/error.h"
+#include "renderer/shader/embedded_files.h"
+
+namespace glimt {
+namespace {
+
+// Which passes a file is part of.
+constexpr unsigned bit(Pass pass) { return 1u << static_cast<unsigned>(pass); }
+constexpr unsigned kCamera = bit(Pass::camera);
+constexpr unsigned kTrace = bit(Pass::trace);
+constexpr unsigned kLight = bit(Pass::light);
+constexpr unsigned kPaths = kCamera | kTrace | kLight;
+constexpr unsigned kBounces = kTrace | kLight;  // start from a hit record
+
+struct Piece {
+  const char* file;
+  unsigned passes;
+  std::optional<Effect> effect;  // left out where the scene does not call for it
+};
+
+// Stands for the file of the traversal that was asked for.
+constexpr const char* kTraversal = "traverse_*.glsl";
+
+// In the order in which they are put together: a file comes after those that it calls.
+const auto kPieces = std::to_array<Piece>({
+    {"layout.h", kPaths, {}},
+    {"picture.glsl", kPaths | bit(Pass::accumulate), {}},
+    {"constants.glsl", kPaths, {}},
+    {"sample_points.glsl", kPaths, {}},
+    {"float_fields.glsl", kPaths, {}},
+    {"octahedral.glsl", kPaths, {}},
+    {"hit_record.glsl", kPaths, {}},
+    {"triangle.glsl", kPaths, {}},
+    {"frame.glsl", kBounces, {}},
+    {"warp.glsl", kBounces, {}},
+    {"lambert.glsl", kBounces, {}},
+    {"ray_origin.glsl", kBounces, {}},
+    {"multiple_importance.glsl", kBounces, {}},
+    {"texel_address.glsl", kPaths, {}},
+    {"triangle_data.glsl", kPaths, {}},
+    {"material_data.glsl", kBounces, {}},
+    {"normal_data.glsl", kBounces, Effect::smooth_normals},
+    {"surface.glsl", kBounces, {}},
+    {kTraversal, kPaths, {}},
+    {"camera.glsl", kCamera, {}},
+    {"light_share.glsl", kBounces, {}},
+    {"light_table.glsl", kLight, Effect::triangle_lights},
+    {"environment.glsl", kLight, Effect::environment},
+    {"light_sample.glsl", kLight, {}},
+    {"trace.glsl", kCamera | kTrace, {}},
+    {"light.glsl", kLight, {}},
+    {"accumulate.glsl", bit(Pass::accumulate), {}},
+    {"display_transform.glsl", bit(Pass::display), {}},
+    {"display.glsl", bit(Pass::display), {}},
+});
+
+struct Traversal {
+  const char* name;
+  const char* file;
+};
+
+constexpr auto kTraversals = std::to_array<Traversal>({
+    {"octant", "traverse_octant.glsl"},
+});
+
+std::string traversalFile(const std::string& name) {
+  for (const Traversal& traversal : kTraversals)
+    if (name == traversal.name) return traversal.file;
+  throw Error(ErrorKind::usage, fmt::format("there is no traversal '{}'; there are: auto, {}", name,
+                                            fmt::join(traversalNames(), ", ")));
+}
+
+// `#if NAME` needs every name defined, to 1 or to 0.
+std::string defines(const ShaderRequest& request) {
+  std::string text = fmt::format("#define FROM_CAMERA {:d}\n#define ADDITIVE_BLENDING {:d}\n",
+                                 request.pass == Pass::camera, request.additive_blending);
+  for (int i = 0; i < kEffectCount; ++i) {
+    std::string name = nameOf(static_cast<Effect>(i));
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    text += fmt::format("#define {} {:d}\n", name, request.effects[static_cast<std::size_t>(i)]);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string nameOf(Pass pass) {
+  constexpr std::array kNames{"camera", "trace", "light", "accumulate", "display"};
+  return kNames[static_cast<std::size_t>(pass)];
+}
+
+std::vector<std::string> traversalNames() {
+  std::vector<std::string> names;
+  for (const Traversal& traversal : kTraversals) names.emplace_back(traversal.name);
+  return names;
+}
+
+std::string shaderText(const std::string& file) {
+  for (const EmbeddedFile& embedded : embeddedFiles())
+    if (file == embedded.name) return embedded.text;
+  throw Error(ErrorKind::failed, "there is no shader file '" + file + "'");
+}
+
+std::string composeVertexShader() { return "#version 100\n" + shaderText("full_screen.vert"); }
+
+std::string composeFragmentShader(const ShaderRequest& request) {
+  std::string text = "#version 100\n" + shaderText("prelude.glsl") + defines(request);
+  for (const Piece& piece : kPieces) {
+    if (!(piece.passes & bit(request.pass))) continue;
+    if (piece.effect && !has(request.effects, *piece.effect)) continue;
+    text += shaderText(piece.file == kTraversal ? traversalFile(request.traversal) : piece.file);
+  }
+  return text;
+}
+
+std::string composeProbe(const std::vector<std::string>& files, const std::string& text) {
+  std::string shader = "#version 100\n" + shaderText("prelude.glsl");
+  for (const std::string& file : files) shader += shaderText(file);
+  return shader + text;
+}
+
+}  // namespace glimt

@@ -1,0 +1,46 @@
+// Writes the fragment shader of a pass from the files in shaders/: those that the pass needs, and of
+// these only what the scene's effects call for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "renderer/core/effects.h"
+
+namespace glimt {
+
+enum class Pass {
+  camera,      // camera ray -> hit record
+  trace,       // hit record -> next hit record
+  light,       // hit record -> radiance
+  accumulate,  // radiance -> mean
+  display,     // mean -> display values
+};
+
+struct ShaderRequest {
+  Pass pass = Pass::display;
+  EffectSet effects;
+  std::string traversal = "octant";
+  bool additive_blending = true;  // the light pass adds by blending, not by reading
+};
+
+// The name of a pass, for messages.
+std::string nameOf(Pass pass);
+
+// Names that ShaderRequest::traversal takes; the first is the default.
+std::vector<std::string> traversalNames();
+
+// Vertex shader of every pass.
+std::string composeVertexShader();
+
+// Errors: usage, for a traversal that does not exist.
+std::string composeFragmentShader(const ShaderRequest& request);
+
+// A fragment shader from the prelude, the named files and some text of the caller's own: for probes
+// of the device and of single functions. Errors: failed, for a file that does not exist.
+std::string composeProbe(const std::vector<std::string>& files, const std::string& text);
+
+// The text of a file in shaders/. Errors: failed, if there is none of that name.
+std::string shaderText(const std::string& file);
+
+}  // namespace glimt

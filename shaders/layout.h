@@ -1,0 +1,33 @@
+// The texel layout, written once: this file is read by C++ and by GLSL, so it holds nothing but
+// definitions. Counts are texels of four floats.
+
+// Nodes, one copy of the tree for each of the eight ray octants; see traverse_octant.glsl.
+//   0: near corner x, y, z; index of the node that follows when this box is missed
+//   1: far corner x, y, z; 0 for an inner node, 1 + index of the first triangle for a leaf, -1 at the end
+#define NODE_TEXELS 2.0
+
+// Triangles in leaf order; see triangle_data.glsl.
+//   0: vertex 0 x, y, z; 1 + material index, negative for the last triangle of a leaf
+//   1: vertex 1 x, y, z; free
+//   2: vertex 2 x, y, z; free
+#define TRIANGLE_TEXELS 3.0
+
+// Shading normals of a triangle, only where the scene has any.
+//   0: octahedral normal of vertex 0, of vertex 1
+//   1: octahedral normal of vertex 2; 1 if the triangle is smooth, else 0; free
+#define NORMAL_TEXELS 2.0
+
+// Materials.
+//   0: base colour r, g, b; 1 if both sides emit, else 0
+//   1: emission r, g, b; density of light samples on the surface, per square metre
+#define MATERIAL_TEXELS 2.0
+
+// Lights, an alias table; see light_table.glsl. One texel each:
+//   share of the entry that is its own, index of the other light, triangle index, free
+#define LIGHT_TEXELS 1.0
+
+// Leaves hold at most this many triangles.
+#define LEAF_TRIANGLES 4
+
+// Side of the square texture of sampling offsets, which is repeated over the picture.
+#define OFFSETS_SIZE 256.0

@@ -1,0 +1,63 @@
+// The light pass: what a hit record adds to its pixel. Emission that the path has met, and one
+// sample of the light that arrives there.
+uniform sampler2D uRecord;
+uniform float uLastSurface;  // 1 where no further ray will look for emission, else 0
+
+#if !ADDITIVE_BLENDING
+uniform sampler2D uRadiance;
+#endif
+
+// Marks a pixel whose path is not known. It stays negative whatever is added.
+const vec3 RADIANCE_UNKNOWN = vec3(-1.0e30);
+
+vec3 emittedRadiance(HitRecord record, Surface surface) {
+#if TRIANGLE_LIGHTS
+  Emission emission = fetchEmission(surface.material);
+  bool emits = record.back < 0.5 || emission.both_sides;
+  return emits ? emission.radiance : vec3(0.0);
+#else
+  return vec3(0.0);
+#endif
+}
+
+vec3 reflectedRadiance(HitRecord record, Surface surface, vec4 random, bool wanted) {
+  vec3 origin = leaveSurface(surface.position, surface.geometric, surface.largest_coordinate);
+  LightSample light = sampleLight(surface, origin, random);
+  float cosine = dot(light.direction, surface.normal);
+  float above = min(cosine, dot(light.direction, surface.geometric));
+  vec3 base_color = fetchBaseColor(surface.material);
+  wanted = wanted && light.possible && above > 0.0;
+  wanted = wanted && max(base_color.r, max(base_color.g, base_color.b)) > 0.0;
+  float visible = visibility(origin, light.to, wanted);
+  if (!wanted) return vec3(0.0);
+  if (visible < 0.0) return RADIANCE_UNKNOWN;
+  float weight = uLastSurface > 0.5 ? 1.0 : powerHeuristic(light.pdf, max(cosine, 0.0) / PI);
+  return evalLambert(base_color) * light.radiance * (visible * weight * max(cosine, 0.0) / light.pdf);
+}
+
+vec3 radianceOf(vec4 texel, vec4 random) {
+  HitRecord record = decodeHitRecord(texel);
+  bool ended = isEnded(texel);
+  bool hit = !ended && record.triangle < TRIANGLE_UNKNOWN;
+  Surface surface = surfaceOf(record);
+  vec3 radiance = emittedRadiance(record, surface) * record.weight;
+#if TRIANGLE_LIGHTS || ENVIRONMENT
+  radiance += reflectedRadiance(record, surface, random, hit);
+#endif
+#if ENVIRONMENT
+  if (record.triangle == TRIANGLE_NONE)
+    radiance = environmentRadiance(record.direction) * record.weight;
+#endif
+  if (record.triangle == TRIANGLE_UNKNOWN) radiance = RADIANCE_UNKNOWN;
+  return ended ? vec3(0.0) : record.throughput * radiance;
+}
+
+void main() {
+  vec2 pixel = pixelCenter();
+  vec4 texel = texture2D(uRecord, pixel / uPictureSize);
+  vec4 radiance = vec4(radianceOf(texel, samplePoint(pixel)), 0.0);
+#if !ADDITIVE_BLENDING
+  radiance += texture2D(uRadiance, pixel / uPictureSize);
+#endif
+  writeTexel(radiance);
+}

@@ -1,0 +1,50 @@
+// One sample of the light that arrives at a surface. Dispatches on the scene's effects.
+struct LightSample {
+  vec3 to;         // from the surface to the light: what a shadow ray has to pass
+  vec3 direction;  // unit
+  vec3 radiance;
+  float pdf;       // per solid angle, of choosing this light and this direction
+  bool possible;   // whether any light can arrive
+};
+
+#if TRIANGLE_LIGHTS
+LightSample sampleTriangleLight(vec3 origin, float choice, vec2 random) {
+  TriangleData data = fetchTriangle(chooseLight(choice));
+  Emission emission = fetchEmission(data.material);
+  vec3 normal = normalize(cross(data.v1 - data.v0, data.v2 - data.v0));
+  vec3 point = interpolate(data.v0, data.v1, data.v2, sampleTriangle(random));
+  vec3 to = point - origin;
+  float distance2 = max(dot(to, to), 1.0e-30);
+  vec3 direction = to * inversesqrt(distance2);
+  float cosine = -dot(direction, normal);
+  if (emission.both_sides) cosine = abs(cosine);
+  vec3 facing = dot(normal, to) > 0.0 ? -normal : normal;
+  vec3 end = leaveSurface(point, facing, largestCoordinate(data.v0, data.v1, data.v2));
+  return LightSample(end - origin, direction, emission.radiance,
+                     emission.density * distance2 / max(cosine, 1.0e-7), cosine > 1.0e-7);
+}
+#endif
+
+#if ENVIRONMENT
+LightSample sampleEnvironment(Surface surface, vec2 random) {
+  vec3 local = sampleCosineHemisphere(random);
+  vec3 direction = fromFrame(frameAround(surface.normal), local);
+  return LightSample(direction * FAR_AWAY, direction, environmentRadiance(direction),
+                     environmentPdf(local), local.z > 0.0);
+}
+#endif
+
+LightSample sampleLight(Surface surface, vec3 origin, vec4 random) {
+#if TRIANGLE_LIGHTS && ENVIRONMENT
+  LightSample triangle = sampleTriangleLight(origin, random.z, random.xy);
+  LightSample sky = sampleEnvironment(surface, random.xy);
+  triangle.pdf *= 1.0 - uEnvironmentShare;
+  sky.pdf *= uEnvironmentShare;
+  if (random.w < uEnvironmentShare) return sky;
+  return triangle;
+#elif TRIANGLE_LIGHTS
+  return sampleTriangleLight(origin, random.z, random.xy);
+#else
+  return sampleEnvironment(surface, random.xy);
+#endif
+}

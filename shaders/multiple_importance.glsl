@@ -1,0 +1,8 @@
+// Two ways to find the same light: Veach 1997, section 9.2.
+
+// Weight of the sample whose density is `pdf`, against another way with density `other`. The power
+// heuristic, written so that large densities do not overflow.
+float powerHeuristic(float pdf, float other) {
+  float ratio = other / pdf;
+  return 1.0 / (1.0 + ratio * ratio);
+}

@@ -1,0 +1,18 @@
+// Low-discrepancy points without integers: the CPU computes the point of this sample and these
+// dimensions, and every pixel shifts it, modulo one, by an offset of its own (Cranley and Patterson
+// 1976). uOffsets is a square of random offsets that is repeated over the picture; each repetition
+// is read from another place in it, and so is each set of dimensions.
+uniform sampler2D uOffsets;
+uniform vec4 uPoint;
+uniform vec4 uOffsetsShift;  // where these dimensions begin; how far repetitions are moved
+
+vec4 samplePoint(vec2 pixel) {
+  vec2 repetition = floor(pixel / OFFSETS_SIZE);
+  vec2 at = pixel + uOffsetsShift.xy + repetition * uOffsetsShift.zw;
+  return fract(uPoint + texture2D(uOffsets, at / OFFSETS_SIZE));
+}
+
+// More numbers from one, for rounding only: what is below its first twelve bits.
+float lowBits(float random) {
+  return fract(random * 4096.0);
+}

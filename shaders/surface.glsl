@@ -1,0 +1,21 @@
+// The surface that a hit record speaks of. Dispatches on the scene's effects.
+
+struct Surface {
+  vec3 position;
+  vec3 geometric;  // unit normal of the triangle, on the side where the path arrived
+  vec3 normal;     // the same for shading
+  float largest_coordinate;
+  float material;
+};
+
+Surface surfaceOf(HitRecord record) {
+  TriangleData data = fetchTriangle(record.triangle);
+  vec3 normal = normalize(cross(data.v1 - data.v0, data.v2 - data.v0));
+  float side = 1.0 - 2.0 * record.back;
+  vec3 shading = normal;
+#if SMOOTH_NORMALS
+  shading = fetchNormal(record.triangle, record.uv, normal);
+#endif
+  return Surface(interpolate(data.v0, data.v1, data.v2, record.uv), side * normal, side * shading,
+                 largestCoordinate(data.v0, data.v1, data.v2), data.material);
+}

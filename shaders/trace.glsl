@@ -1,0 +1,69 @@
+// The trace pass: from a hit record, or from the camera, to the next hit record.
+uniform sampler2D uRecord;
+
+struct PathRay {
+  vec3 origin;
+  vec3 direction;
+  vec3 throughput;
+  float pdf;    // of the direction, per solid angle
+  bool wanted;  // false for a path that has ended
+};
+
+#if FROM_CAMERA
+PathRay nextRay(vec2 pixel, vec4 random) {
+  vec3 direction = cameraDirection(pixel - 0.5 + random.xy);
+  return PathRay(uCameraPosition, direction, vec3(1.0), 0.0, true);
+}
+#else
+PathRay nextRay(vec2 pixel, vec4 random) {
+  vec4 texel = texture2D(uRecord, pixel / uPictureSize);
+  HitRecord record = decodeHitRecord(texel);
+  bool wanted = !isEnded(texel) && record.triangle < TRIANGLE_UNKNOWN;
+  Surface surface = surfaceOf(record);
+  vec3 local = sampleLambert(random.xy);
+  vec3 direction = fromFrame(frameAround(surface.normal), local);
+  // A direction that the shading normal allows may lead into the surface: no light comes from there.
+  wanted = wanted && dot(direction, surface.geometric) > 0.0;
+  return PathRay(leaveSurface(surface.position, surface.geometric, surface.largest_coordinate),
+                 direction, record.throughput * fetchBaseColor(surface.material),
+                 pdfLambert(local), wanted);
+}
+#endif
+
+// Weight of emission found by this ray against sampling it as a light.
+float emissionWeight(PathRay ray, Hit hit, TriangleData data, float facing) {
+  float weight = 1.0;
+#if !FROM_CAMERA
+#if TRIANGLE_LIGHTS
+  if (hit.triangle < TRIANGLE_UNKNOWN) {
+    Emission emission = fetchEmission(data.material);
+    float pdf = emission.density * hit.t * hit.t / max(abs(facing), 1.0e-7);
+    weight = powerHeuristic(ray.pdf, pdf * (1.0 - uEnvironmentShare));
+  }
+#endif
+#if ENVIRONMENT
+  // The environment is sampled like the surface itself; see environment.glsl.
+  if (hit.triangle == TRIANGLE_NONE) weight = powerHeuristic(1.0, uEnvironmentShare);
+#endif
+#endif
+  return weight;
+}
+
+void main() {
+  vec2 pixel = pixelCenter();
+  vec4 random = samplePoint(pixel);
+  PathRay ray = nextRay(pixel, random);
+  Hit hit = closestHit(ray.origin, ray.direction, ray.wanted);
+
+  TriangleData data = fetchTriangle(hit.triangle < TRIANGLE_UNKNOWN ? hit.triangle : 0.0);
+  vec3 normal = normalize(cross(data.v1 - data.v0, data.v2 - data.v0));
+  float facing = dot(normal, ray.direction);
+  HitRecord record = HitRecord(hit.triangle, facing > 0.0 ? 1.0 : 0.0, hit.uv, ray.direction,
+                               ray.throughput, emissionWeight(ray, hit, data, facing));
+  vec4 rounding = vec4(random.z, random.w, lowBits(random.z), lowBits(random.w));
+  bool goes_on = ray.wanted;
+#if !ENVIRONMENT
+  goes_on = goes_on && hit.triangle != TRIANGLE_NONE;
+#endif
+  writeTexel(goes_on ? encodeHitRecord(record, rounding) : vec4(0.0));
+}

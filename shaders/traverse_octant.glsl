@@ -1,0 +1,103 @@
+// Skip links, one tree order per ray octant: no stack, no restart, no bit operations.
+//
+// The tree is stored eight times, once for each combination of the direction's signs, depth first
+// and with the child that the ray meets first in front. A box that is met leads to the next node, a
+// box that is missed to the node behind its subtree. Since the order knows the signs, so do the
+// boxes: they are stored as the corner where the ray enters and the corner where it leaves. Each
+// copy ends with a node that every ray meets and whose leaf is -1, so that walking needs one test.
+uniform sampler2D uNodes;
+uniform vec2 uNodesSize;
+uniform float uNodesPerOctant;  // with the last one
+
+// More steps than any sound tree asks for. A driver may stop earlier.
+#define MAX_STEPS 65536
+
+// The slab test loses some bits: boxes are made larger by two roundings (Ize 2013, "Robust BVH Ray
+// Traversal").
+#define BOX_SLACK 1.0000004
+
+struct Hit {
+  float triangle;  // index, or TRIANGLE_NONE, or TRIANGLE_UNKNOWN where the traversal was cut short
+  float t;
+  vec2 uv;
+};
+
+struct Walk {
+  vec3 origin;
+  vec3 inverse;  // 1 / direction
+  float node;
+  float leaf;    // 1 + index of the first triangle; negative at the end of the tree
+};
+
+// Directions along an axis would multiply zero by infinity.
+vec3 inverseOf(vec3 direction) {
+  vec3 side = vec3(direction.x < 0.0 ? -1.0 : 1.0, direction.y < 0.0 ? -1.0 : 1.0,
+                   direction.z < 0.0 ? -1.0 : 1.0);
+  return side / max(abs(direction), vec3(1.0e-18));
+}
+
+// A ray that is not wanted starts at the end.
+Walk startWalk(vec3 origin, vec3 direction, bool wanted) {
+  vec3 negative = 1.0 - step(vec3(0.0), direction);
+  float octant = dot(negative, vec3(1.0, 2.0, 4.0));
+  float node = octant * uNodesPerOctant + (wanted ? 0.0 : uNodesPerOctant - 1.0);
+  return Walk(origin, inverseOf(direction), node, 0.0);
+}
+
+// To the next leaf whose box the ray meets before t.
+void walkToLeaf(inout Walk walk, float t) {
+  vec2 next = texelAddress(1.0, uNodesSize) - texelAddress(0.0, uNodesSize);
+  for (int i = 0; i < MAX_STEPS; i++) {
+    vec2 at = texelAddress(walk.node * NODE_TEXELS, uNodesSize);
+    vec4 enter = texture2D(uNodes, at);
+    vec4 leave = texture2D(uNodes, at + next);
+    vec3 t0 = (enter.xyz - walk.origin) * walk.inverse;
+    vec3 t1 = (leave.xyz - walk.origin) * walk.inverse;
+    float first = max(max(t0.x, t0.y), max(t0.z, 0.0));
+    float last = min(min(t1.x, t1.y), min(t1.z, t)) * BOX_SLACK;
+    bool met = first <= last;
+    walk.node = met ? walk.node + 1.0 : enter.w;
+    walk.leaf = met ? leave.w : 0.0;
+    if (walk.leaf != 0.0) break;
+  }
+}
+
+Hit closestHit(vec3 origin, vec3 direction, bool wanted) {
+  Walk walk = startWalk(origin, direction, wanted);
+  Hit hit = Hit(TRIANGLE_NONE, FAR_AWAY, vec2(0.0));
+  for (int i = 0; i < MAX_STEPS; i++) {
+    walkToLeaf(walk, hit.t);
+    if (walk.leaf <= 0.0) break;
+    float index = walk.leaf - 1.0;
+    for (int k = 0; k < LEAF_TRIANGLES; k++) {
+      TriangleData data = fetchTriangle(index);
+      TriangleHit met = intersectTriangle(origin, direction, data.v0, data.v1, data.v2, hit.t);
+      if (met.t >= 0.0) hit = Hit(index, met.t, vec2(met.u, met.v));
+      if (data.last) break;
+      index += 1.0;
+    }
+  }
+  if (!(walk.leaf < 0.0)) hit.triangle = TRIANGLE_UNKNOWN;
+  return hit;
+}
+
+// 1 where nothing stands between the origin and the origin plus the direction, 0 where something
+// does, negative where the traversal was cut short.
+float visibility(vec3 origin, vec3 direction, bool wanted) {
+  Walk walk = startWalk(origin, direction, wanted);
+  bool blocked = false;
+  for (int i = 0; i < MAX_STEPS; i++) {
+    walkToLeaf(walk, 1.0);
+    if (walk.leaf <= 0.0) break;
+    float index = walk.leaf - 1.0;
+    for (int k = 0; k < LEAF_TRIANGLES; k++) {
+      TriangleData data = fetchTriangle(index);
+      blocked = intersectTriangle(origin, direction, data.v0, data.v1, data.v2, 1.0).t >= 0.0;
+      if (blocked || data.last) break;
+      index += 1.0;
+    }
+    if (blocked) break;
+  }
+  if (blocked) return 0.0;
+  return walk.leaf < 0.0 ? 1.0 : -1.0;
+}
