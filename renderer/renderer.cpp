@@ -84,13 +84,12 @@ void Renderer::renderSample() {
   }
 }
 
-int Renderer::advance(double seconds) {
+void Renderer::advance(double seconds, int most_samples) {
   const double end = now() + seconds;
-  int completed = 0;
-  do {
-    completed += state_->drawTile();
-  } while (now() < end);
-  return completed;
+  while (samples() < most_samples) {
+    state_->drawTile();
+    if (now() >= end) break;
+  }
 }
 
 int Renderer::samples() const { return state_->tracer.samples(); }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -86,8 +87,8 @@ class Renderer {
   void renderSample();
 
   // Works for about `seconds`, in draws that are each much shorter, and leaves the rest of a sample
-  // for the next call. Returns the number of samples that were completed.
-  int advance(double seconds);
+  // for the next call. Ends early when the picture has `most_samples`.
+  void advance(double seconds, int most_samples = std::numeric_limits<int>::max());
 
   // Complete samples in the picture.
   int samples() const;

@@ -11,7 +11,7 @@ bool isGood(vec3 radiance) {
 }
 
 void main() {
-  vec2 at = pixelCenter() / uPictureSize;
+  vec2 at = pictureAddress(pixelCenter());
   vec3 radiance = texture2D(uRadiance, at).rgb;
   vec4 mean = texture2D(uMean, at);
   float count = mean.a + 1.0;

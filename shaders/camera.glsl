@@ -7,6 +7,6 @@ uniform vec3 uCameraUp;
 
 // `at` is a point of the picture in pixels, from its lower left corner.
 vec3 cameraDirection(vec2 at) {
-  vec2 p = 2.0 * at / uPictureSize - 1.0;
+  vec2 p = 2.0 * pictureAddress(at) - 1.0;
   return normalize(uCameraForward + p.x * uCameraRight + p.y * uCameraUp);
 }

@@ -8,7 +8,7 @@
 
 // Triangles in leaf order; see triangle_data.glsl.
 //   0: vertex 0 x, y, z; 1 + material index, negative for the last triangle of a leaf
-//   1: vertex 1 x, y, z; free
+//   1: vertex 1 x, y, z; area
 //   2: vertex 2 x, y, z; free
 #define TRIANGLE_TEXELS 3.0
 
@@ -18,12 +18,13 @@
 #define NORMAL_TEXELS 2.0
 
 // Materials.
-//   0: base colour r, g, b; 1 if both sides emit, else 0
-//   1: emission r, g, b; density of light samples on the surface, per square metre
+//   0: base colour r, g, b; free
+//   1: emission r, g, b; density of light samples on the surface, per square metre, negative if both
+//      sides emit
 #define MATERIAL_TEXELS 2.0
 
 // Lights, an alias table; see light_table.glsl. One texel each:
-//   share of the entry that is its own, index of the other light, triangle index, free
+//   share of the entry that goes to its own triangle, index of that, index of the other one, free
 #define LIGHT_TEXELS 1.0
 
 // Leaves hold at most this many triangles.

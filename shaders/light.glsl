@@ -54,10 +54,10 @@ vec3 radianceOf(vec4 texel, vec4 random) {
 
 void main() {
   vec2 pixel = pixelCenter();
-  vec4 texel = texture2D(uRecord, pixel / uPictureSize);
+  vec4 texel = texture2D(uRecord, pictureAddress(pixel));
   vec4 radiance = vec4(radianceOf(texel, samplePoint(pixel)), 0.0);
 #if !ADDITIVE_BLENDING
-  radiance += texture2D(uRadiance, pixel / uPictureSize);
+  radiance += texture2D(uRadiance, pictureAddress(pixel));
 #endif
   writeTexel(radiance);
 }

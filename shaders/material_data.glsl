@@ -1,9 +1,9 @@
 // The materials' texture, laid out as layout.h says.
 uniform sampler2D uMaterials;
-uniform vec2 uMaterialsSize;
+uniform vec2 uMaterialsStep;
 
 vec3 fetchBaseColor(float material) {
-  return texture2D(uMaterials, texelAddress(material * MATERIAL_TEXELS, uMaterialsSize)).rgb;
+  return texture2D(uMaterials, texelAddress(material * MATERIAL_TEXELS, uMaterialsStep)).rgb;
 }
 
 struct Emission {
@@ -13,8 +13,6 @@ struct Emission {
 };
 
 Emission fetchEmission(float material) {
-  float texel = material * MATERIAL_TEXELS;
-  bool both_sides = texture2D(uMaterials, texelAddress(texel, uMaterialsSize)).a > 0.5;
-  vec4 emission = texture2D(uMaterials, texelAddress(texel + 1.0, uMaterialsSize));
-  return Emission(emission.rgb, emission.a, both_sides);
+  vec4 texel = texture2D(uMaterials, texelAddress(material * MATERIAL_TEXELS + 1.0, uMaterialsStep));
+  return Emission(texel.rgb, abs(texel.a), texel.a < 0.0);
 }

@@ -16,7 +16,7 @@ PathRay nextRay(vec2 pixel, vec4 random) {
 }
 #else
 PathRay nextRay(vec2 pixel, vec4 random) {
-  vec4 texel = texture2D(uRecord, pixel / uPictureSize);
+  vec4 texel = texture2D(uRecord, pictureAddress(pixel));
   HitRecord record = decodeHitRecord(texel);
   bool wanted = !isEnded(texel) && record.triangle < TRIANGLE_UNKNOWN;
   Surface surface = surfaceOf(record);
@@ -31,14 +31,14 @@ PathRay nextRay(vec2 pixel, vec4 random) {
 #endif
 
 // Weight of emission found by this ray against sampling it as a light.
-float emissionWeight(PathRay ray, Hit hit, TriangleData data, float facing) {
+float emissionWeight(PathRay ray, Hit hit) {
   float weight = 1.0;
 #if !FROM_CAMERA
 #if TRIANGLE_LIGHTS
   if (hit.triangle < TRIANGLE_UNKNOWN) {
-    Emission emission = fetchEmission(data.material);
-    float pdf = emission.density * hit.t * hit.t / max(abs(facing), 1.0e-7);
-    weight = powerHeuristic(ray.pdf, pdf * (1.0 - uEnvironmentShare));
+    float density = fetchEmission(hit.material).density * (1.0 - uEnvironmentShare);
+    float cosine = 0.25 * abs(facingOf(hit.volumes)) / hit.area;
+    weight = powerHeuristic(ray.pdf, density * hit.t * hit.t / max(cosine, 1.0e-7));
   }
 #endif
 #if ENVIRONMENT
@@ -55,11 +55,9 @@ void main() {
   PathRay ray = nextRay(pixel, random);
   Hit hit = closestHit(ray.origin, ray.direction, ray.wanted);
 
-  TriangleData data = fetchTriangle(hit.triangle < TRIANGLE_UNKNOWN ? hit.triangle : 0.0);
-  vec3 normal = normalize(cross(data.v1 - data.v0, data.v2 - data.v0));
-  float facing = dot(normal, ray.direction);
-  HitRecord record = HitRecord(hit.triangle, facing > 0.0 ? 1.0 : 0.0, hit.uv, ray.direction,
-                               ray.throughput, emissionWeight(ray, hit, data, facing));
+  HitRecord record = HitRecord(hit.triangle, facingOf(hit.volumes) > 0.0 ? 1.0 : 0.0,
+                               weightsOf(hit.volumes), ray.direction, ray.throughput,
+                               emissionWeight(ray, hit));
   vec4 rounding = vec4(random.z, random.w, lowBits(random.z), lowBits(random.w));
   bool goes_on = ray.wanted;
 #if !ENVIRONMENT

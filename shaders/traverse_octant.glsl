@@ -6,7 +6,7 @@
 // boxes: they are stored as the corner where the ray enters and the corner where it leaves. Each
 // copy ends with a node that every ray meets and whose leaf is -1, so that walking needs one test.
 uniform sampler2D uNodes;
-uniform vec2 uNodesSize;
+uniform vec2 uNodesStep;
 uniform float uNodesPerOctant;  // with the last one
 
 // More steps than any sound tree asks for. A driver may stop earlier.
@@ -19,7 +19,9 @@ uniform float uNodesPerOctant;  // with the last one
 struct Hit {
   float triangle;  // index, or TRIANGLE_NONE, or TRIANGLE_UNKNOWN where the traversal was cut short
   float t;
-  vec2 uv;
+  vec3 volumes;    // see triangle.glsl
+  float material;  // index
+  float area;      // square metres
 };
 
 struct Walk {
@@ -46,11 +48,10 @@ Walk startWalk(vec3 origin, vec3 direction, bool wanted) {
 
 // To the next leaf whose box the ray meets before t.
 void walkToLeaf(inout Walk walk, float t) {
-  vec2 next = texelAddress(1.0, uNodesSize) - texelAddress(0.0, uNodesSize);
   for (int i = 0; i < MAX_STEPS; i++) {
-    vec2 at = texelAddress(walk.node * NODE_TEXELS, uNodesSize);
+    vec2 at = texelAddress(walk.node * NODE_TEXELS, uNodesStep);
     vec4 enter = texture2D(uNodes, at);
-    vec4 leave = texture2D(uNodes, at + next);
+    vec4 leave = texture2D(uNodes, at + uNodesStep);
     vec3 t0 = (enter.xyz - walk.origin) * walk.inverse;
     vec3 t1 = (leave.xyz - walk.origin) * walk.inverse;
     float first = max(max(t0.x, t0.y), max(t0.z, 0.0));
@@ -64,7 +65,7 @@ void walkToLeaf(inout Walk walk, float t) {
 
 Hit closestHit(vec3 origin, vec3 direction, bool wanted) {
   Walk walk = startWalk(origin, direction, wanted);
-  Hit hit = Hit(TRIANGLE_NONE, FAR_AWAY, vec2(0.0));
+  Hit hit = Hit(TRIANGLE_NONE, FAR_AWAY, vec3(1.0), 0.0, 1.0);
   for (int i = 0; i < MAX_STEPS; i++) {
     walkToLeaf(walk, hit.t);
     if (walk.leaf <= 0.0) break;
@@ -72,7 +73,7 @@ Hit closestHit(vec3 origin, vec3 direction, bool wanted) {
     for (int k = 0; k < LEAF_TRIANGLES; k++) {
       TriangleData data = fetchTriangle(index);
       TriangleHit met = intersectTriangle(origin, direction, data.v0, data.v1, data.v2, hit.t);
-      if (met.t >= 0.0) hit = Hit(index, met.t, vec2(met.u, met.v));
+      if (met.t >= 0.0) hit = Hit(index, met.t, met.volumes, data.material, data.area);
       if (data.last) break;
       index += 1.0;
     }

@@ -3,13 +3,6 @@
 namespace glimt {
 namespace {
 
-double areaOf(const Scene& scene, const Triangle& triangle) {
-  const glm::dvec3 a(scene.positions[triangle.positions[0]]);
-  const glm::dvec3 b(scene.positions[triangle.positions[1]]);
-  const glm::dvec3 c(scene.positions[triangle.positions[2]]);
-  return 0.5 * glm::length(glm::cross(b - a, c - a));
-}
-
 // Entries with less than the mean give what they lack to one with more.
 void fillAliases(std::vector<LightEntry>& entries, std::vector<double> scaled) {
   std::vector<std::uint32_t> poor;
@@ -20,7 +13,7 @@ void fillAliases(std::vector<LightEntry>& entries, std::vector<double> scaled) {
     const std::uint32_t giver = rich.back();
     poor.pop_back();
     entries[taker].share = static_cast<float>(scaled[taker]);
-    entries[taker].other = giver;
+    entries[taker].other_triangle = entries[giver].triangle;
     scaled[giver] -= 1 - scaled[taker];
     if (scaled[giver] < 1) {
       rich.pop_back();
@@ -31,6 +24,13 @@ void fillAliases(std::vector<LightEntry>& entries, std::vector<double> scaled) {
 }
 
 }  // namespace
+
+double areaOf(const Scene& scene, const Triangle& triangle) {
+  const glm::dvec3 a(scene.positions[triangle.positions[0]]);
+  const glm::dvec3 b(scene.positions[triangle.positions[1]]);
+  const glm::dvec3 c(scene.positions[triangle.positions[2]]);
+  return 0.5 * glm::length(glm::cross(b - a, c - a));
+}
 
 float emissionWeight(const Material& material) {
   const Vec3& e = material.emission;
@@ -49,8 +49,7 @@ LightTable buildLightTable(const Scene& scene) {
     const Triangle& triangle = scene.triangles[i];
     const float weight = emissionWeight(scene.materials[triangle.material]);
     if (!(weight > 0)) continue;
-    const auto index = static_cast<std::uint32_t>(table.entries.size());
-    table.entries.push_back({1.0f, index, i});
+    table.entries.push_back({1.0f, i, i});
     powers.push_back(areaOf(scene, triangle) * weight);
     table.total_power += powers.back();
   }

@@ -8,19 +8,22 @@
 
 namespace glimt {
 
-// An alias table: to choose with u in [0, 1), entry i = floor(u * size); its own triangle if the
-// fraction of u * size is below `share`, else the triangle of entry `other`. Vose 1991, "A Linear
-// Algorithm for Generating Random Numbers with a Given Distribution".
+// An alias table: to choose with u in [0, 1), take entry floor(u * size), and of it `triangle` if the
+// fraction of u * size is below `share`, else `other_triangle`. Vose 1991, "A Linear Algorithm for
+// Generating Random Numbers with a Given Distribution".
 struct LightEntry {
   float share = 1;
-  std::uint32_t other = 0;
-  std::uint32_t triangle = 0;  // into Scene::triangles
+  std::uint32_t triangle = 0;  // both into Scene::triangles
+  std::uint32_t other_triangle = 0;
 };
 
 struct LightTable {
   std::vector<LightEntry> entries;  // one per triangle that emits
   double total_power = 0;           // sum of area * emissionWeight, square metres * radiance
 };
+
+// Square metres.
+double areaOf(const Scene& scene, const Triangle& triangle);
 
 // The radiance by which a material's triangles are chosen, per area: the mean of the channels,
 // twice that where both sides emit.

@@ -89,7 +89,7 @@ void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
   gl::Program& program = this->program(stage.pass);
   program.use();
   program.set("uZero", Vec4(0));
-  program.set("uPictureSize", Vec2(film_.width(), film_.height()));
+  program.set("uPictureStep", 1.0f / Vec2(film_.width(), film_.height()));
   if (stage.pass == Pass::accumulate) {
     program.set("uRadiance", film_.radiance.front().texture());
     program.set("uMean", film_.mean.front().texture());

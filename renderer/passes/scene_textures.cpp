@@ -33,9 +33,12 @@ std::vector<Vec4> packTriangles(const Scene& scene, const Bvh& bvh) {
   texels.reserve(scene.triangles.size() * static_cast<std::size_t>(TRIANGLE_TEXELS));
   for (const std::uint32_t index : bvh.order) {
     const Triangle& triangle = scene.triangles[index];
-    texels.emplace_back(scene.positions[triangle.positions[0]], 1.0f + static_cast<float>(triangle.material));
-    texels.emplace_back(scene.positions[triangle.positions[1]], 0.0f);
-    texels.emplace_back(scene.positions[triangle.positions[2]], 0.0f);
+    const Vec3& v0 = scene.positions[triangle.positions[0]];
+    const Vec3& v1 = scene.positions[triangle.positions[1]];
+    const Vec3& v2 = scene.positions[triangle.positions[2]];
+    texels.emplace_back(v0, 1.0f + static_cast<float>(triangle.material));
+    texels.emplace_back(v1, static_cast<float>(areaOf(scene, triangle)));
+    texels.emplace_back(v2, 0.0f);
   }
   for (const BvhNode& node : bvh.nodes) {
     if (!node.leaf()) continue;
@@ -71,8 +74,9 @@ std::vector<Vec4> packNormals(const Scene& scene, const Bvh& bvh) {
 std::vector<Vec4> packMaterials(const Scene& scene, const LightTable& lights) {
   std::vector<Vec4> texels;
   for (const Material& material : scene.materials) {
-    texels.emplace_back(material.base_color, material.double_sided ? 1.0f : 0.0f);
-    texels.emplace_back(material.emission, lightDensity(lights, material));
+    const float density = lightDensity(lights, material);
+    texels.emplace_back(material.base_color, 0.0f);
+    texels.emplace_back(material.emission, material.double_sided ? -density : density);
   }
   return texels;
 }
@@ -82,8 +86,8 @@ std::vector<Vec4> packLights(const LightTable& lights, const Bvh& bvh) {
   for (std::uint32_t i = 0; i < bvh.order.size(); ++i) place[bvh.order[i]] = i;
   std::vector<Vec4> texels;
   for (const LightEntry& entry : lights.entries)
-    texels.emplace_back(entry.share, static_cast<float>(entry.other),
-                        static_cast<float>(place[entry.triangle]), 0.0f);
+    texels.emplace_back(entry.share, static_cast<float>(place[entry.triangle]),
+                        static_cast<float>(place[entry.other_triangle]), 0.0f);
   return texels;
 }
 
@@ -97,7 +101,8 @@ float environmentShare(const Scene& scene, const LightTable& lights) {
 
 void bindData(gl::Program& program, const std::string& name, const gl::Texture& texture) {
   program.set(name, texture);
-  program.set(name + "Size", Vec2(texture.width(), texture.height()));
+  const auto width = static_cast<float>(texture.width());
+  program.set(name + "Step", Vec2(1 / width, 1 / width / static_cast<float>(texture.height())));
 }
 
 }  // namespace

@@ -1,0 +1,46 @@
+// The subcommands: what each one is asked, and what runs it. Each run returns the exit status.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/options.h"
+#include "renderer/renderer.h"
+
+namespace glimt {
+
+struct RenderOptions {
+  std::filesystem::path scene;
+  std::vector<std::filesystem::path> outputs;
+  PictureOptions picture;
+  std::optional<int> samples;     // --spp
+  std::optional<double> seconds;  // --time
+  Backend backend = Backend::automatic;
+  std::string json;  // a file, "-" for standard output, empty for none
+  bool quiet = false;
+};
+
+struct ViewOptions {
+  std::optional<std::filesystem::path> scene;
+  PictureOptions picture;  // its size is the window's
+};
+
+struct InfoOptions {
+  std::filesystem::path scene;
+  std::string json;
+};
+
+struct CompareOptions {
+  std::filesystem::path image;
+  std::filesystem::path reference;
+  std::string json;
+};
+
+int runRender(const RenderOptions& options);
+int runView(const ViewOptions& options);
+int runInfo(const InfoOptions& options);
+int runCompare(const CompareOptions& options);
+
+}  // namespace glimt

@@ -1,0 +1,169 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/commands.h"
+#include "app/json_output.h"
+#include "renderer/core/bounds.h"
+#include "renderer/scene/effects_of.h"
+#include "renderer/scene/load_scene.h"
+
+namespace glimt {
+namespace {
+
+struct Lights {
+  std::size_t triangles = 0;
+  double area = 0;  // square metres, of one side
+};
+
+Bounds boundsOf(const Scene& scene) {
+  Bounds bounds;
+  for (const Vec3& position : scene.positions) bounds.include(position);
+  return bounds;
+}
+
+double areaOf(const Scene& scene, const Triangle& triangle) {
+  const auto [a, b, c] = triangle.positions;
+  const Vec3& origin = scene.positions[a];
+  return 0.5 * glm::length(glm::cross(scene.positions[b] - origin, scene.positions[c] - origin));
+}
+
+Lights lightsOf(const Scene& scene) {
+  Lights lights;
+  for (const Triangle& triangle : scene.triangles) {
+    if (scene.materials[triangle.material].emission == Vec3(0)) continue;
+    ++lights.triangles;
+    lights.area += areaOf(scene, triangle);
+  }
+  return lights;
+}
+
+std::vector<std::size_t> trianglesByMaterial(const Scene& scene) {
+  std::vector<std::size_t> counts(scene.materials.size());
+  for (const Triangle& triangle : scene.triangles) ++counts[triangle.material];
+  return counts;
+}
+
+Json materialsOf(const Scene& scene) {
+  const std::vector<std::size_t> counts = trianglesByMaterial(scene);
+  Json materials = Json::array();
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const Material& material = scene.materials[i];
+    materials.push_back({{"name", material.name},
+                         {"triangles", counts[i]},
+                         {"base_color", jsonOf(material.base_color)},
+                         {"emission", jsonOf(material.emission)},
+                         {"double_sided", material.double_sided}});
+  }
+  return materials;
+}
+
+Json effectsOnAndOff(const Scene& scene) {
+  Json effects = Json::array();
+  for (const EffectReport& effect : reportEffects(scene)) {
+    effects.push_back({{"name", effect.name}, {"on", effect.on}, {"reason", effect.reason}});
+  }
+  return effects;
+}
+
+Json reportOf(const InfoOptions& options, const Scene& scene) {
+  const Bounds bounds = boundsOf(scene);
+  const Lights lights = lightsOf(scene);
+  const Camera& camera = scene.camera;
+  return {{"scene", options.scene.string()},
+          {"name", scene.name},
+          {"triangles", scene.triangles.size()},
+          {"vertices", scene.positions.size()},
+          {"materials", materialsOf(scene)},
+          {"bounds", {{"min", jsonOf(bounds.min)}, {"max", jsonOf(bounds.max)}}},
+          {"camera",
+           {{"position", jsonOf(camera.position)},
+            {"target", jsonOf(camera.target)},
+            {"up", jsonOf(camera.up)},
+            {"vertical_fov", jsonOf(camera.vertical_fov)}}},
+          {"environment",
+           {{"color", jsonOf(scene.environment.color)},
+            {"strength", jsonOf(scene.environment.strength)}}},
+          {"lights", {{"triangles", lights.triangles}, {"area", lights.area}}},
+          {"effects", effectsOnAndOff(scene)},
+          {"warnings", scene.warnings}};
+}
+
+// --- The same for people ---------------------------------------------------------------------
+
+std::string textOf(const Vec3& v) {
+  return fmt::format("({:.5g}, {:.5g}, {:.5g})", v.x, v.y, v.z);
+}
+
+class Table {
+ public:
+  void row(std::string_view label, std::string_view value) {
+    text_ += fmt::format("{:<13}{}\n", label, value);
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+void addMaterials(Table& table, const Scene& scene) {
+  const std::vector<std::size_t> counts = trianglesByMaterial(scene);
+  table.row("materials", fmt::format("{}", scene.materials.size()));
+  std::size_t width = 0;
+  for (const Material& material : scene.materials) width = std::max(width, material.name.size());
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const Material& material = scene.materials[i];
+    const std::string light =
+        material.emission == Vec3(0) ? "" : ", emits " + textOf(material.emission);
+    table.row("", fmt::format("{:<{}}  {:>8} triangles, colour {}{}", material.name, width,
+                              counts[i], textOf(material.base_color), light));
+  }
+}
+
+void addEffects(Table& table, const Scene& scene) {
+  const std::vector<EffectReport> effects = reportEffects(scene);
+  std::size_t width = 0;
+  for (const EffectReport& effect : effects) width = std::max(width, effect.name.size());
+  std::string_view label = "effects";
+  for (const EffectReport& effect : effects) {
+    table.row(label, fmt::format("{:<{}}  {:<3}  {}", effect.name, width, effect.on ? "on" : "off",
+                                 effect.reason));
+    label = "";
+  }
+}
+
+std::string textOf(const Scene& scene) {
+  const Bounds bounds = boundsOf(scene);
+  const Lights lights = lightsOf(scene);
+  const Camera& camera = scene.camera;
+  Table table;
+  table.row("name", scene.name);
+  table.row("triangles", fmt::format("{}", scene.triangles.size()));
+  table.row("vertices", fmt::format("{}", scene.positions.size()));
+  table.row("bounds", fmt::format("{} to {}, size {} m", textOf(bounds.min), textOf(bounds.max),
+                                  textOf(bounds.size())));
+  table.row("camera",
+            fmt::format("at {}, looks at {}, up {}, {:.5g} degrees high", textOf(camera.position),
+                        textOf(camera.target), textOf(camera.up), camera.vertical_fov));
+  table.row("environment", "radiance " + textOf(scene.environment.radiance()));
+  table.row("lights", fmt::format("{} triangles, {:.5g} m^2", lights.triangles, lights.area));
+  addMaterials(table, scene);
+  addEffects(table, scene);
+  for (const std::string& warning : scene.warnings) table.row("warning", warning);
+  return table.text();
+}
+
+}  // namespace
+
+int runInfo(const InfoOptions& options) {
+  checkJsonFile(options.json);
+  const Scene scene = loadScene(options.scene);
+  if (options.json.empty()) {
+    writeOut(textOf(scene));
+  } else {
+    writeJson(options.json, reportOf(options, scene));
+  }
+  return 0;
+}
+
+}  // namespace glimt

@@ -1,0 +1,18 @@
+// Ctrl-C and SIGTERM as a request that is answered when it suits.
+#pragma once
+
+namespace glimt {
+
+// While one exists, the first SIGINT or SIGTERM only sets requested(); the second kills, as it
+// would without. At most one exists at a time.
+class Interrupt {
+ public:
+  Interrupt();
+  Interrupt(const Interrupt&) = delete;
+  Interrupt& operator=(const Interrupt&) = delete;
+  ~Interrupt();
+
+  bool requested() const;
+};
+
+}  // namespace glimt

@@ -1,0 +1,179 @@
+#include "app/options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <limits>
+
+#include "app/commands.h"
+#include "app/parse.h"
+#include "renderer/core/error.h"
+
+namespace glimt {
+namespace {
+
+constexpr int kMostBounces = 64;
+constexpr double kMostExposure = 64;
+
+using Take = std::function<void(const std::string& text)>;
+
+// An option with a value. CLI11's own number parsing reads 010 as eight and accepts 1e99 as an
+// infinite float; `take` parses strictly instead.
+CLI::Option* add(CLI::App& command, const std::string& name, const std::string& value,
+                 const std::string& help, const Take& take) {
+  return command.add_option_function<std::string>(name, take, help)->type_name(value);
+}
+
+void addScene(CLI::App& command, std::filesystem::path& scene) {
+  command.add_option("SCENE", scene, "A .scene.json or .obj")->type_name("")->required();
+}
+
+void addJson(CLI::App& command, std::string& json) {
+  command.add_option("--json", json, "Write a report as JSON; - is standard output")
+      ->type_name("FILE");
+}
+
+void addCamera(CLI::App& command, CameraOptions& camera) {
+  CLI::Option* const name =
+      command.add_option("--camera", camera.name, "One of the scene's cameras")->type_name("NAME");
+  add(command, "--eye", "X,Y,Z", "Where the camera is", [&](const std::string& text) {
+    camera.eye = parseVector("--eye", text);
+  })->excludes(name);
+  add(command, "--target", "X,Y,Z", "What the camera looks at", [&](const std::string& text) {
+    camera.target = parseVector("--target", text);
+  })->excludes(name);
+  add(command, "--up", "X,Y,Z", "The camera's upward direction", [&](const std::string& text) {
+    camera.up = parseVector("--up", text);
+  })->excludes(name);
+  add(command, "--fov", "DEG", "Degrees over the picture's height", [&](const std::string& text) {
+    camera.vertical_fov = static_cast<float>(parseNumberBetween("--fov", text, 0, 180));
+  })->excludes(name);
+}
+
+void addPicture(CLI::App& command, PictureOptions& picture) {
+  add(command, "--size", "WxH", "Width and height in pixels (the scene's, else 512x512)",
+      [&](const std::string& text) { picture.size = parseSize("--size", text); });
+  add(command, "--bounces", "N", "Secondary bounces (the scene's, else 4)",
+      [&](const std::string& text) {
+        picture.bounces = static_cast<int>(parseInteger("--bounces", text, 0, kMostBounces));
+      });
+  addCamera(command, picture.camera);
+  add(command, "--exposure", "EV", "Brightens the display by 2^EV (the scene's, else 0)",
+      [&](const std::string& text) {
+        picture.exposure = static_cast<float>(
+            parseNumberBetween("--exposure", text, -kMostExposure, kMostExposure));
+      });
+  add(command, "--seed", "N", "Another seed, another noise (0)", [&](const std::string& text) {
+    picture.seed = static_cast<std::uint32_t>(
+        parseInteger("--seed", text, 0, std::numeric_limits<std::uint32_t>::max()));
+  });
+  command.add_option("--traversal", picture.traversal, "How rays find triangles (auto)")
+      ->type_name("NAME");
+  add(command, "--gles", "2|3", "OpenGL ES version to ask for (2)", [&](const std::string& text) {
+    picture.gles = parseChoice("--gles", text, {"2", "3"}) == "2" ? 2 : 3;
+  });
+}
+
+void addLimits(CLI::App& command, RenderOptions& options) {
+  add(command, "--spp", "N", "End after N samples per pixel (256, unless --time is given)",
+      [&](const std::string& text) {
+        options.samples = static_cast<int>(
+            parseInteger("--spp", text, 1, std::numeric_limits<std::int32_t>::max()));
+      });
+  add(command, "--time", "S", "End after S seconds of rendering", [&](const std::string& text) {
+    options.seconds = parseNumberBetween("--time", text, 0, 1e9);
+  });
+  add(command, "--noise", "PCT", "Not in this version", [](const std::string&) {
+    throw Error(ErrorKind::usage,
+                "--noise is not in this version; end the render with --spp or --time");
+  });
+}
+
+Backend backendNamed(const std::string& name) {
+  if (name == "egl") return Backend::egl;
+  return name == "osmesa" ? Backend::osmesa : Backend::automatic;
+}
+
+}  // namespace
+
+void addRenderOptions(CLI::App& command, RenderOptions& options) {
+  addScene(command, options.scene);
+  command
+      .add_option("-o,--output", options.outputs,
+                  "Picture to write, .png .exr .pfm or .hdr; may be given several times")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->required();
+  addLimits(command, options);
+  addPicture(command, options.picture);
+  add(command, "--backend", "auto|egl|osmesa", "Where OpenGL comes from (auto)",
+      [&](const std::string& text) {
+        options.backend = backendNamed(parseChoice("--backend", text, {"auto", "egl", "osmesa"}));
+      });
+  add(command, "--record", "packed|wide", "How hits are stored (packed)",
+      [](const std::string& text) {
+        if (parseChoice("--record", text, {"packed", "wide"}) == "packed") return;
+        throw Error(ErrorKind::usage, "--record wide is not in this version; use packed");
+      });
+  addJson(command, options.json);
+  command.add_flag("--quiet", options.quiet, "Say nothing but errors");
+}
+
+void addViewOptions(CLI::App& command, ViewOptions& options) {
+  add(command, "SCENE", "", "A .scene.json or .obj (the one that comes with glimt)",
+      [&](const std::string& text) { options.scene = text; });
+  addPicture(command, options.picture);
+}
+
+void addInfoOptions(CLI::App& command, InfoOptions& options) {
+  addScene(command, options.scene);
+  addJson(command, options.json);
+}
+
+void addCompareOptions(CLI::App& command, CompareOptions& options) {
+  command.add_option("A", options.image, "The picture to judge")->type_name("")->required();
+  command.add_option("B", options.reference, "What it should look like")->type_name("")->required();
+  addJson(command, options.json);
+}
+
+Camera cameraOf(const CameraOptions& options, const Scene& scene) {
+  if (!options.name.empty()) {
+    throw Error(ErrorKind::usage, fmt::format("the scene has no camera named '{}'; use --eye, "
+                                              "--target, --up and --fov",
+                                              options.name));
+  }
+  Camera camera = scene.camera;
+  camera.position = options.eye.value_or(camera.position);
+  camera.target = options.target.value_or(camera.target);
+  camera.up = options.up.value_or(camera.up);
+  camera.vertical_fov = options.vertical_fov.value_or(camera.vertical_fov);
+
+  const Vec3 forward = camera.target - camera.position;
+  if (!(glm::length(forward) > 0)) {
+    throw Error(ErrorKind::usage, "the camera is at its target; move --eye or --target");
+  }
+  const Vec3 side = glm::cross(forward, camera.up);
+  if (!(glm::length(side) > 1e-6f * glm::length(forward) * glm::length(camera.up))) {
+    throw Error(ErrorKind::usage, "the camera's up is along its view; give another --up");
+  }
+  return camera;
+}
+
+RenderSettings settingsOf(const PictureOptions& options, const Scene& scene) {
+  const auto [width, height] =
+      options.size.value_or(scene.render.size.value_or(std::array{512, 512}));
+  RenderSettings settings;
+  settings.width = width;
+  settings.height = height;
+  settings.bounces = options.bounces.value_or(scene.render.bounces.value_or(4));
+  settings.seed = options.seed;
+  settings.traversal = options.traversal;
+  return settings;
+}
+
+float exposureOf(const PictureOptions& options, const Scene& scene) {
+  return options.exposure.value_or(scene.render.exposure.value_or(0.0f));
+}
+
+}  // namespace glimt

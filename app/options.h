@@ -1,0 +1,57 @@
+// Options of several subcommands: what they are on the command line, and how they are joined with
+// what the scene's file asks for.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "renderer/renderer.h"
+#include "renderer/scene/scene.h"
+
+namespace CLI {
+class App;
+}
+
+namespace glimt {
+
+// Single parts of the scene's camera, replaced.
+struct CameraOptions {
+  std::string name;
+  std::optional<Vec3> eye;
+  std::optional<Vec3> target;
+  std::optional<Vec3> up;
+  std::optional<float> vertical_fov;  // degrees
+};
+
+struct PictureOptions {
+  CameraOptions camera;
+  std::optional<std::array<int, 2>> size;
+  std::optional<int> bounces;
+  std::optional<float> exposure;  // EV
+  std::uint32_t seed = 0;
+  std::string traversal = "auto";
+  int gles = 2;
+};
+
+struct RenderOptions;
+struct ViewOptions;
+struct InfoOptions;
+struct CompareOptions;
+
+// What the options hold is valid once the command line has been parsed. Errors: usage.
+void addRenderOptions(CLI::App& command, RenderOptions& options);
+void addViewOptions(CLI::App& command, ViewOptions& options);
+void addInfoOptions(CLI::App& command, InfoOptions& options);
+void addCompareOptions(CLI::App& command, CompareOptions& options);
+
+// The scene's camera with the parts that the options replace. Errors: usage, for a name that the
+// scene does not have, and for a camera without a direction.
+Camera cameraOf(const CameraOptions& options, const Scene& scene);
+
+// The command line, else the scene's file, else what is built in.
+RenderSettings settingsOf(const PictureOptions& options, const Scene& scene);
+float exposureOf(const PictureOptions& options, const Scene& scene);
+
+}  // namespace glimt

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <filesystem>
+
+namespace glimt {
+
+// Finds out before the work, not after it, that a file cannot be written: its folder is missing or
+// protected, or it is a folder itself. Errors: usage.
+void checkWritable(const std::filesystem::path& file);
+
+}  // namespace glimt

@@ -1,0 +1,106 @@
+#include "app/parse.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "renderer/core/error.h"
+
+namespace glimt {
+namespace {
+
+constexpr std::int64_t kLargestSide = 16384;
+
+template <typename Number>
+std::optional<Number> numberIn(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  Number value{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stop != end) return std::nullopt;
+  return value;
+}
+
+std::optional<double> finiteNumberIn(std::string_view text) {
+  const auto value = numberIn<double>(text);
+  if (!value || !std::isfinite(*value)) return std::nullopt;
+  return value;
+}
+
+[[noreturn]] void reject(const std::string& option, const std::string& text,
+                         const std::string& wanted) {
+  throw Error(ErrorKind::usage, fmt::format("{} takes {}, not '{}'", option, wanted, text));
+}
+
+}  // namespace
+
+std::int64_t parseInteger(const std::string& option, const std::string& text, std::int64_t least,
+                          std::int64_t most) {
+  const auto value = numberIn<std::int64_t>(text);
+  if (!value || *value < least || *value > most) {
+    reject(option, text, fmt::format("a whole number from {} to {}", least, most));
+  }
+  return *value;
+}
+
+double parseNumber(const std::string& option, const std::string& text) {
+  const auto value = finiteNumberIn(text);
+  if (!value) reject(option, text, "a number");
+  return *value;
+}
+
+double parseNumberBetween(const std::string& option, const std::string& text, double low,
+                          double high) {
+  const auto value = finiteNumberIn(text);
+  // The value ends up in a float, where 179.99999999 is 180 and 1e-300 is 0.
+  const auto narrow = static_cast<float>(value.value_or(low));
+  if (!(narrow > low && narrow < high)) {
+    reject(option, text, fmt::format("a number above {} and below {}", low, high));
+  }
+  return *value;
+}
+
+std::array<int, 2> parseSize(const std::string& option, const std::string& text) {
+  const std::size_t cross = text.find('x');
+  if (cross != std::string::npos) {
+    const auto width = numberIn<std::int64_t>(std::string_view(text).substr(0, cross));
+    const auto height = numberIn<std::int64_t>(std::string_view(text).substr(cross + 1));
+    const auto fits = [](auto side) { return side && *side >= 1 && *side <= kLargestSide; };
+    if (fits(width) && fits(height)) {
+      return {static_cast<int>(*width), static_cast<int>(*height)};
+    }
+  }
+  reject(option, text, fmt::format("WIDTHxHEIGHT, each from 1 to {}", kLargestSide));
+}
+
+Vec3 parseVector(const std::string& option, const std::string& text) {
+  Vec3 vector{0};
+  std::string_view rest = text;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t end = axis < 2 ? rest.find(',') : rest.size();
+    if (end == std::string_view::npos) reject(option, text, "X,Y,Z");
+    const auto value = finiteNumberIn(rest.substr(0, end));
+    if (!value || std::abs(*value) > std::numeric_limits<float>::max()) {
+      reject(option, text, "X,Y,Z");
+    }
+    vector[axis] = static_cast<float>(*value);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return vector;
+}
+
+std::string parseChoice(const std::string& option, const std::string& text,
+                        const std::vector<std::string>& choices) {
+  if (std::find(choices.begin(), choices.end(), text) == choices.end()) {
+    reject(option, text, fmt::format("one of {}", fmt::join(choices, ", ")));
+  }
+  return text;
+}
+
+}  // namespace glimt

@@ -1,0 +1,33 @@
+// From an argument's text to a value. Errors: usage, naming the option and what it takes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "renderer/core/vector.h"
+
+namespace glimt {
+
+std::int64_t parseInteger(const std::string& option, const std::string& text, std::int64_t least,
+                          std::int64_t most);
+
+// A finite number.
+double parseNumber(const std::string& option, const std::string& text);
+
+// A number above `low` and below `high`.
+double parseNumberBetween(const std::string& option, const std::string& text, double low,
+                          double high);
+
+// "WxH", pixels.
+std::array<int, 2> parseSize(const std::string& option, const std::string& text);
+
+// "X,Y,Z".
+Vec3 parseVector(const std::string& option, const std::string& text);
+
+// One of `choices`.
+std::string parseChoice(const std::string& option, const std::string& text,
+                        const std::vector<std::string>& choices);
+
+}  // namespace glimt

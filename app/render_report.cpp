@@ -1,0 +1,70 @@
+#include "app/render_report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "renderer/core/wording.h"
+
+namespace glimt {
+namespace {
+
+Json secondsOf(const RenderReport& report) {
+  const auto rounded = [](double seconds) { return std::round(seconds * 1e6) / 1e6; };
+  return {{"load", rounded(report.load)},
+          {"bvh", rounded(report.statistics.bvh_seconds)},
+          {"compile", rounded(report.statistics.compile_seconds)},
+          {"first_sample", rounded(report.first_sample)},
+          {"render", rounded(report.render)},
+          {"total", rounded(report.total)}};
+}
+
+// Rays are counted in one sample; the others cast about as many.
+Json raysOf(const RenderReport& report) {
+  const auto all = [&](double rays) {
+    return static_cast<std::int64_t>(std::llround(rays * report.samples));
+  };
+  return {{"camera", all(report.statistics.camera_rays)},
+          {"bounce", all(report.statistics.bounce_rays)},
+          {"shadow", all(report.statistics.shadow_rays)}};
+}
+
+}  // namespace
+
+Json jsonOf(const RenderReport& report) {
+  return {{"scene", report.scene.string()},
+          {"width", report.settings.width},
+          {"height", report.settings.height},
+          {"samples", report.samples},
+          {"bounces", report.settings.bounces},
+          {"backend", report.context.backend},
+          {"gl_renderer", report.context.renderer},
+          {"gl_version", report.context.version},
+          {"gles", report.context.gles},
+          {"traversal", report.statistics.traversal},
+          {"record", "packed"},
+          {"triangles", report.statistics.triangles},
+          {"effects", report.effects},
+          {"seconds", secondsOf(report)},
+          {"rays", raysOf(report)},
+          {"noise", nullptr},
+          {"truncation", nullptr},
+          {"nonfinite_pixels", report.nonfinite_pixels},
+          {"warnings", report.warnings}};
+}
+
+std::string summaryOf(const RenderReport& report) {
+  std::string files;
+  for (const auto& output : report.outputs) {
+    files += (files.empty() ? "" : ", ") + output.string();
+  }
+  // "llvmpipe (LLVM 15.0.6, 256 bits)" says more than the line has room for.
+  const std::string& gl = report.context.renderer;
+  const std::string device = gl.substr(0, gl.find(" ("));
+  return fmt::format("{}: {} in {:.1f} s ({:.3g} samples/s), {}, {}", files,
+                     counted(report.samples, "sample"), report.render,
+                     report.samples / report.render,
+                     counted(report.statistics.triangles, "triangle"), device);
+}
+
+}  // namespace glimt

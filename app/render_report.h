@@ -1,0 +1,36 @@
+// What a render did, for people and for programs.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/json_output.h"
+#include "renderer/renderer.h"
+
+namespace glimt {
+
+struct RenderReport {
+  std::filesystem::path scene;
+  std::vector<std::filesystem::path> outputs;
+  RenderSettings settings;
+  ContextInfo context;
+  RenderStatistics statistics;
+  std::vector<std::string> effects;  // those that are on
+  int samples = 0;
+  int nonfinite_pixels = 0;
+  // Seconds. `first_sample` is how long after the start the first sample was complete; `total` is
+  // the whole command, from the start until the pictures were written.
+  double load = 0;
+  double first_sample = 0;
+  double render = 0;
+  double total = 0;
+  std::vector<std::string> warnings;
+};
+
+Json jsonOf(const RenderReport& report);
+
+// One line.
+std::string summaryOf(const RenderReport& report);
+
+}  // namespace glimt
