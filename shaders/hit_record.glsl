@@ -45,7 +45,7 @@ vec2 uvCell(vec2 uv, vec2 random) {
 }
 
 vec2 uvOfCell(vec2 cell) {
-  return (cell + 0.5) / UV_STEPS;
+  return (cell + 0.5) * (1.0 / UV_STEPS);
 }
 
 // The exponent with which the largest channel lies in [63.5, 127]: one that is rounded up still
@@ -62,12 +62,15 @@ vec4 encodeHitRecord(HitRecord record, vec4 random) {
   if (!(largest >= LEAST_THROUGHPUT)) return vec4(0.0);
 
   float exponent = throughputExponent(largest);
-  vec3 color = floor(record.throughput / powerOfTwo(vec4(exponent)).x + random.x);
-  float weight = floor(clamp(record.weight, 0.0, 1.0) * (COLOR_STEPS - 1.0) + random.y);
+  // 127 and a random number just below 1 may add up to 128, which would spill into the next field.
+  vec3 color = min(floor(record.throughput * powerOfTwo(vec4(-exponent)).x + random.x),
+                   COLOR_STEPS - 1.0);
+  float weight = min(floor(clamp(record.weight, 0.0, 1.0) * (COLOR_STEPS - 1.0) + random.y),
+                     COLOR_STEPS - 1.0);
   vec2 cell = uvCell(record.uv, vec2(random.z, random.w));
   vec2 square = encodeOctahedral(record.direction) * 0.5 + 0.5;
   vec2 direction = clamp(floor(square * DIRECTION_STEPS), 0.0, DIRECTION_STEPS - 1.0);
-  float direction_high = floor(direction.y / COLOR_STEPS);
+  float direction_high = floor(direction.y * (1.0 / COLOR_STEPS));
 
   vec4 mantissa = vec4(record.triangle,
                        cell.x * COLOR_STEPS + color.y,
@@ -83,16 +86,16 @@ vec4 encodeHitRecord(HitRecord record, vec4 random) {
 HitRecord decodeHitRecord(vec4 record) {
   FloatFields fields = splitFields(abs(record));
   vec4 code = fields.exponent + 64.0;
-  vec2 cell = floor(vec2(fields.mantissa.y, fields.mantissa.z) / COLOR_STEPS);
+  vec2 cell = floor(vec2(fields.mantissa.y, fields.mantissa.z) * (1.0 / COLOR_STEPS));
   vec2 green_blue = vec2(fields.mantissa.y, fields.mantissa.z) - cell * COLOR_STEPS;
-  float direction_x = floor(fields.mantissa.w / 256.0);
+  float direction_x = floor(fields.mantissa.w * (1.0 / 256.0));
   float direction_y = (fields.mantissa.w - direction_x * 256.0) * COLOR_STEPS + code.w;
-  vec2 square = (vec2(direction_x, direction_y) + 0.5) / DIRECTION_STEPS;
+  vec2 square = (vec2(direction_x, direction_y) + 0.5) * (1.0 / DIRECTION_STEPS);
   float scale = powerOfTwo(vec4(code.y - 64.0)).x;
   return HitRecord(fields.mantissa.x,
                    record.x < 0.0 ? 1.0 : 0.0,
                    uvOfCell(cell),
                    decodeOctahedral(square * 2.0 - 1.0),
                    vec3(code.x, green_blue.x, green_blue.y) * scale,
-                   code.z / (COLOR_STEPS - 1.0));
+                   code.z * (1.0 / (COLOR_STEPS - 1.0)));
 }

@@ -1,10 +1,12 @@
 // The texel layout, written once: this file is read by C++ and by GLSL, so it holds nothing but
 // definitions. Counts are texels of four floats.
 
-// Nodes, one copy of the tree for each of the eight ray octants; see traverse_octant.glsl.
-//   0: near corner x, y, z; index of the node that follows when this box is missed
-//   1: far corner x, y, z; 0 for an inner node, 1 + index of the first triangle for a leaf, -1 at the end
-#define NODE_TEXELS 2.0
+// Nodes, one copy of the tree for each of the eight ray octants; see traverse_octant.glsl. One texel
+// each. Boxes are on a grid over the scene: whole coordinates below NODE_GRID.
+//   enter + NODE_GRID * leave, for x, y, z: of the corners where a ray enters and leaves the box;
+//   an inner node: index of the node that follows when its box is missed; a leaf: -1 - index of its
+//   first triangle; the node at the end: 0
+#define NODE_GRID 4096.0
 
 // Triangles in leaf order; see triangle_data.glsl.
 //   0: vertex 0 x, y, z; 1 + material index, negative for the last triangle of a leaf
@@ -27,8 +29,6 @@
 //   share of the entry that goes to its own triangle, index of that, index of the other one, free
 #define LIGHT_TEXELS 1.0
 
-// Leaves hold at most this many triangles.
-#define LEAF_TRIANGLES 4
 
 // Side of the square texture of sampling offsets, which is repeated over the picture.
 #define OFFSETS_SIZE 256.0

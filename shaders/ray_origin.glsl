@@ -1,9 +1,18 @@
 // Where a ray that leaves a surface starts.
 
-// Largest coordinate of a triangle, by which the rounding error of its points is bounded.
+// By what the rounding errors of a triangle's points are bounded, up to a constant: its largest
+// coordinate, or more where it is so thin that its normal, and with it the distance of a point from
+// its plane, is inexact.
 float largestCoordinate(vec3 v0, vec3 v1, vec3 v2) {
   vec3 largest = max(abs(v0), max(abs(v1), abs(v2)));
-  return max(largest.x, max(largest.y, largest.z));
+  vec3 a = v1 - v0;
+  vec3 b = v2 - v0;
+  vec3 c = v2 - v1;
+  float longest2 = max(dot(a, a), max(dot(b, b), dot(c, c)));
+  vec3 normal = cross(a, b);
+  float thinness = longest2 / max(sqrt(dot(normal, normal)), 1.0e-6 * longest2);
+  float inexact = 0.08 * thinness * sqrt(longest2);
+  return max(inexact, max(largest.x, max(largest.y, largest.z)));
 }
 
 // A point rebuilt from barycentric weights is off its triangle by some roundings of the largest

@@ -7,9 +7,9 @@ uniform vec4 uPoint;
 uniform vec4 uOffsetsShift;  // where these dimensions begin; how far repetitions are moved
 
 vec4 samplePoint(vec2 pixel) {
-  vec2 repetition = floor(pixel / OFFSETS_SIZE);
+  vec2 repetition = floor(pixel * (1.0 / OFFSETS_SIZE));
   vec2 at = pixel + uOffsetsShift.xy + repetition * uOffsetsShift.zw;
-  return fract(uPoint + texture2D(uOffsets, at / OFFSETS_SIZE));
+  return fract(uPoint + texture2D(uOffsets, at * (1.0 / OFFSETS_SIZE)));
 }
 
 // More numbers from one, for rounding only: what is below its first twelve bits.

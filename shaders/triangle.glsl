@@ -36,9 +36,11 @@ float facingOf(vec3 volumes) {
   return volumes.x + volumes.y + volumes.z;
 }
 
-// Barycentric weights of vertices 1 and 2.
+// Barycentric weights of vertices 1 and 2. Where a sliver is so thin that no volume is left, vertex
+// 0's is one.
 vec2 weightsOf(vec3 volumes) {
-  return vec2(volumes.x, volumes.y) / facingOf(volumes);
+  float sum = facingOf(volumes);
+  return vec2(volumes.x, volumes.y) / (sum == 0.0 ? 1.0 : sum);
 }
 
 vec3 interpolate(vec3 at0, vec3 at1, vec3 at2, vec2 uv) {

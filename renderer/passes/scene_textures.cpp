@@ -127,6 +127,8 @@ SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene) {
       device, smooth ? packNormals(scene, bvh) : std::vector<Vec4>(), "normals");
   node_count_ = bvh.nodes.size();
   nodes_per_octant_ = octants.nodes_per_octant;
+  grid_origin_ = octants.grid_origin;
+  grid_cell_ = octants.grid_cell;
   light_count_ = lights.entries.size();
   environment_share_ = environmentShare(scene, lights);
   environment_radiance_ = scene.environment.radiance();
@@ -139,6 +141,8 @@ void SceneTextures::bind(gl::Program& program) const {
   bindData(program, "uNormals", normals_);
   bindData(program, "uLights", lights_);
   program.set("uNodesPerOctant", static_cast<float>(nodes_per_octant_));
+  program.set("uGridOrigin", grid_origin_);
+  program.set("uGridCell", grid_cell_);
   program.set("uLightCount", static_cast<float>(light_count_));
   program.set("uEnvironmentShare", environment_share_);
   program.set("uEnvironmentRadiance", environment_radiance_);

@@ -28,6 +28,8 @@ class SceneTextures {
   gl::Texture lights_;
   std::size_t node_count_ = 0;
   std::size_t nodes_per_octant_ = 0;
+  Vec3 grid_origin_{0};
+  Vec3 grid_cell_{1};
   std::size_t light_count_ = 0;
   float environment_share_ = 0;
   Vec3 environment_radiance_{0};

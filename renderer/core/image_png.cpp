@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+#include <stb_image.h>
+#include <stb_image_write.h>
+
+#include <array>
+#include <climits>
+#include <cmath>
+#include <memory>
+
+#include "renderer/core/error.h"
+#include "renderer/core/image_codecs.h"
+
+namespace glimt {
+namespace {
+
+// IEC 61966-2-1.
+std::array<float, 256> linearOfSrgb() {
+  std::array<float, 256> table{};
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const double s = static_cast<double>(i) / 255.0;
+    table[i] = static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+  }
+  return table;
+}
+
+void append(void* bytes, void* data, int size) {
+  static_cast<std::string*>(bytes)->append(static_cast<const char*>(data),
+                                           static_cast<std::size_t>(size));
+}
+
+}  // namespace
+
+Image decodePng(std::string_view bytes) {
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  if (bytes.size() > INT_MAX || bytes.substr(0, 8) != "\x89PNG\r\n\x1a\n" ||
+      !stbi_info_from_memory(data, static_cast<int>(bytes.size()), &width, &height, &channels)) {
+    throw Error(ErrorKind::input, "not a PNG picture; write the picture again");
+  }
+  // Deflate packs at most 1032 bytes into one, and PNG eight pixels into a byte.
+  demandPlausibleSize(width, height, bytes.size(), 8 * 1032);
+  const std::unique_ptr<stbi_uc, void (*)(void*)> values(
+      stbi_load_from_memory(data, static_cast<int>(bytes.size()), &width, &height, &channels, 3),
+      stbi_image_free);
+  if (!values) {
+    throw Error(ErrorKind::input,
+                fmt::format("damaged PNG picture ({}); write it again", stbi_failure_reason()));
+  }
+  const std::array<float, 256> linear = linearOfSrgb();
+  Image image{width, height, {}};
+  image.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const stbi_uc* value = values.get() + 3 * i;
+    image.pixels[i] = Vec3(linear[value[0]], linear[value[1]], linear[value[2]]);
+  }
+  return image;
+}
+
+std::string encodePng(const DisplayImage& image) {
+  std::string bytes;
+  stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, image.bytes.data(),
+                         3 * image.width);
+  return bytes;
+}
+
+}  // namespace glimt

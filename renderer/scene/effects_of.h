@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "renderer/core/effects.h"
+#include "renderer/scene/scene.h"
+
+namespace glimt {
+
+struct EffectReport {
+  Effect effect;
+  std::string name;  // as in the command line's output: "triangle_lights"
+  bool on = false;
+  std::string reason;  // why it is on, or why it is off: "2 triangles emit"
+};
+
+// Every effect there is, on or off. Depends on the scene alone.
+std::vector<EffectReport> reportEffects(const Scene& scene);
+
+EffectSet effectsOf(const Scene& scene);
+
+}  // namespace glimt

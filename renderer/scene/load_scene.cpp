@@ -1,0 +1,98 @@
+#include "renderer/scene/load_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+
+#include "renderer/core/error.h"
+#include "renderer/core/wording.h"
+#include "renderer/scene/effects_of.h"
+#include "renderer/scene/framing.h"
+#include "renderer/scene/obj_file.h"
+#include "renderer/scene/scene_check.h"
+#include "renderer/scene/scene_file.h"
+
+namespace glimt {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, const std::string& what) {
+  throw Error(ErrorKind::input, fmt::format("{}: {}", printable(path.string()), what));
+}
+
+std::string lowerExtension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return extension;
+}
+
+bool isSceneFile(const fs::path& path) {
+  return lowerExtension(path) == ".json";
+}
+
+Scene readModel(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) fail(path, "no such file; check the path");
+  if (lowerExtension(path) == ".obj") return readObjFile(path);
+  fail(path, "unknown kind of model; glimt reads .obj, and .scene.json that names one");
+}
+
+void placeCamera(const SceneFile& file, const fs::path& path, Scene& scene) {
+  float aspect = 1;
+  if (const auto& size = scene.render.size) {
+    aspect = static_cast<float>((*size)[0]) / static_cast<float>((*size)[1]);
+  }
+  scene.camera = framed(boundsOf(scene), aspect, file.camera);
+  if (scene.camera.position == scene.camera.target) {
+    fail(path, "the camera is where it looks; give camera.position and camera.target");
+  }
+}
+
+void placeLight(const SceneFile& file, Scene& scene) {
+  if (file.environment) scene.environment = *file.environment;
+  const EffectSet effects = effectsOf(scene);
+  if (has(effects, Effect::triangle_lights) || has(effects, Effect::environment)) return;
+  if (file.environment) {
+    scene.warnings.push_back(
+        "nothing gives light: no triangle emits and the environment is black; the picture will be "
+        "black");
+    return;
+  }
+  scene.environment.color = Vec3(1);
+  scene.warnings.push_back(
+      "nothing gives light, so a white environment of radiance 1 does; a scene file can name "
+      "another");
+}
+
+Scene loadWithin(const fs::path& path) {
+  SceneFile file;
+  if (isSceneFile(path)) {
+    file = readSceneFile(path);
+  } else {
+    file.model = path;
+  }
+  Scene scene = readModel(file.model);
+  if (isSceneFile(path)) scene.name = path.stem().stem().string();
+  scene.render = file.render;
+  scene.warnings.insert(scene.warnings.end(), file.warnings.begin(), file.warnings.end());
+  applyMaterials(file, scene);
+  checkScene(scene);
+  placeCamera(file, path, scene);
+  placeLight(file, scene);
+  return scene;
+}
+
+}  // namespace
+
+Scene loadScene(const fs::path& path) {
+  try {
+    return loadWithin(path);
+  } catch (const std::bad_alloc&) {
+    fail(path, "the scene needs more memory than there is; make it smaller");
+  }
+}
+
+}  // namespace glimt

@@ -1,0 +1,82 @@
+#include "renderer/scene/mtl_file.h"
+
+#include <tiny_obj_loader.h>
+
+#include <map>
+#include <sstream>
+
+#include "renderer/core/file.h"
+#include "renderer/core/wording.h"
+#include "renderer/scene/obj_lines.h"
+
+namespace glimt {
+namespace {
+
+constexpr std::uintmax_t kLargestMtl = 64 << 20;
+
+// tinyobjloader takes a material that gives no Kd for a black one. So every material begins with
+// a grey Kd; one that the file gives comes later and wins.
+std::string withDefaultColor(std::string_view text) {
+  ObjLines lines(text);
+  std::istream stream(&lines);
+  std::string out;
+  for (std::string line; std::getline(stream, line);) {
+    out += line + "\n";
+    if (line.starts_with("newmtl")) out += "Kd 0.8 0.8 0.8\n";
+  }
+  return out;
+}
+
+Vec3 vectorOf(const tinyobj::real_t (&values)[3]) {
+  return {values[0], values[1], values[2]};
+}
+
+bool isTextured(const tinyobj::material_t& m) {
+  for (const std::string* name :
+       {&m.ambient_texname, &m.diffuse_texname, &m.specular_texname, &m.specular_highlight_texname,
+        &m.bump_texname, &m.displacement_texname, &m.alpha_texname, &m.reflection_texname,
+        &m.roughness_texname, &m.metallic_texname, &m.sheen_texname, &m.emissive_texname,
+        &m.normal_texname}) {
+    if (!name->empty()) return true;
+  }
+  return false;
+}
+
+bool isBeyondLambert(const tinyobj::material_t& m) {
+  return m.specular[0] > 0 || m.specular[1] > 0 || m.specular[2] > 0 || m.illum >= 3 ||
+         m.metallic > 0 || m.sheen > 0 || m.clearcoat_thickness > 0 || m.dissolve < 1;
+}
+
+std::string withoutBlanksAround(const std::string& name) {
+  const std::size_t first = name.find_first_not_of(" \t");
+  if (first == std::string::npos) return {};
+  return name.substr(first, name.find_last_not_of(" \t") - first + 1);
+}
+
+}  // namespace
+
+std::vector<MtlMaterial> readMtlFile(const std::filesystem::path& path) {
+  const std::string bytes = readFile(path, kLargestMtl);
+  std::istringstream text(withDefaultColor(demandText(bytes, printable(path.string()))));
+  std::map<std::string, int> index_of_name;
+  std::vector<tinyobj::material_t> parsed;
+  std::string ignored_warnings;
+  std::string ignored_errors;
+  tinyobj::LoadMtl(&index_of_name, &parsed, &text, &ignored_warnings, &ignored_errors);
+
+  std::vector<MtlMaterial> materials;
+  for (const tinyobj::material_t& m : parsed) {
+    const std::string name = withoutBlanksAround(m.name);
+    if (name.empty()) continue;
+    MtlMaterial out;
+    out.material.name = name;
+    out.material.base_color = vectorOf(m.diffuse);
+    out.material.emission = vectorOf(m.emission);
+    out.textured = isTextured(m);
+    out.beyond_lambert = isBeyondLambert(m);
+    materials.push_back(std::move(out));
+  }
+  return materials;
+}
+
+}  // namespace glimt

@@ -1,0 +1,227 @@
+#include "renderer/scene/obj_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "renderer/core/error.h"
+#include "renderer/core/file.h"
+#include "renderer/core/wording.h"
+#include "renderer/scene/mtl_file.h"
+#include "renderer/scene/obj_lines.h"
+#include "renderer/scene/obj_mesh.h"
+#include "renderer/scene/polygon.h"
+
+namespace glimt {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kLargestObj = 0x7fffffff;
+
+// The file that an mtllib line means: relative to the OBJ, whichever way its slashes lean, or just
+// beside it when it stood somewhere else where the OBJ was made. Empty when there is none.
+fs::path libraryPath(const fs::path& folder, std::string name) {
+  std::replace(name.begin(), name.end(), '\\', '/');
+  std::error_code ignored;
+  for (const fs::path& path : {folder / fs::path(name), folder / fs::path(name).filename()}) {
+    if (!name.empty() && fs::exists(path, ignored) && !fs::is_directory(path, ignored)) return path;
+  }
+  return {};
+}
+
+// What may be one name with blanks, or several names, or one with escaped blanks.
+std::vector<std::string> namesIn(const std::string& line) {
+  std::vector<std::string> names = {""};
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool escaped = line[i] == '\\' && i + 1 < line.size() && line[i + 1] == ' ';
+    if (escaped) {
+      names.back() += line[++i];
+    } else if (line[i] != ' ' && line[i] != '\t') {
+      names.back() += line[i];
+    } else if (!names.back().empty()) {
+      names.emplace_back();
+    }
+  }
+  if (names.back().empty()) names.pop_back();
+  return names;
+}
+
+std::vector<fs::path> librariesOf(const ObjMesh& mesh, const fs::path& folder,
+                                  std::vector<std::string>& missing) {
+  std::vector<fs::path> paths;
+  for (const std::string& line : mesh.material_libraries) {
+    if (const fs::path whole = libraryPath(folder, line); !whole.empty()) {
+      paths.push_back(whole);
+      continue;
+    }
+    for (const std::string& name : namesIn(line)) {
+      const fs::path path = libraryPath(folder, name);
+      if (path.empty()) {
+        missing.push_back(name);
+      } else {
+        paths.push_back(path);
+      }
+    }
+  }
+  return paths;
+}
+
+std::vector<MtlMaterial> readLibraries(const ObjMesh& mesh, const fs::path& folder,
+                                       std::vector<std::string>& warnings) {
+  std::vector<MtlMaterial> materials;
+  std::vector<std::string> missing;
+  for (const fs::path& path : librariesOf(mesh, folder, missing)) {
+    try {
+      for (MtlMaterial& material : readMtlFile(path)) materials.push_back(std::move(material));
+    } catch (const Error& error) {
+      warnings.push_back(fmt::format("materials left out: {}", error.what()));
+    }
+  }
+  if (!missing.empty()) {
+    warnings.push_back(fmt::format("no material file {} beside the model", listed(missing)));
+  }
+  return materials;
+}
+
+void warnAbout(const std::vector<MtlMaterial>& used, std::vector<std::string>& warnings) {
+  std::vector<std::string> textured;
+  std::vector<std::string> simplified;
+  for (const MtlMaterial& m : used) {
+    if (m.textured) textured.push_back(m.material.name);
+    if (m.beyond_lambert) simplified.push_back(m.material.name);
+  }
+  if (!textured.empty()) {
+    warnings.push_back(fmt::format("textures are ignored for now, of {}", listed(textured)));
+  }
+  if (!simplified.empty()) {
+    warnings.push_back(
+        fmt::format("the MTL asks for metal, gloss or glass; for now rendered as Lambert: {}",
+                    listed(simplified)));
+  }
+}
+
+// Fills scene.materials; returns where in it each of the mesh's material names is. A name that no
+// library has gets a grey material, so that a scene file can still say what it is.
+std::vector<std::uint32_t> resolveMaterials(const ObjMesh& mesh, const fs::path& folder,
+                                            Scene& scene) {
+  const std::vector<MtlMaterial> library = readLibraries(mesh, folder, scene.warnings);
+  std::unordered_map<std::string, std::size_t> library_index;
+  for (std::size_t i = 0; i < library.size(); ++i) {
+    // When a name comes twice, the first one is meant.
+    if (library_index.try_emplace(library[i].material.name, i).second) {
+      scene.materials.push_back(library[i].material);
+    }
+  }
+  std::unordered_map<std::string, std::uint32_t> scene_index;
+  for (const Material& material : scene.materials) {
+    scene_index.emplace(material.name, static_cast<std::uint32_t>(scene_index.size()));
+  }
+
+  std::vector<std::uint32_t> resolved;
+  std::vector<MtlMaterial> used;
+  std::vector<std::string> undefined;
+  for (const std::string& name : mesh.material_names) {
+    const auto found = scene_index.find(name);
+    if (found != scene_index.end()) {
+      resolved.push_back(found->second);
+      used.push_back(library[library_index.at(name)]);
+      continue;
+    }
+    resolved.push_back(static_cast<std::uint32_t>(scene.materials.size()));
+    scene.materials.emplace_back().name = name;
+    undefined.push_back(name);
+  }
+  if (!undefined.empty()) {
+    scene.warnings.push_back(
+        fmt::format("no material file defines {}; rendered grey", listed(undefined)));
+  }
+  warnAbout(used, scene.warnings);
+  return resolved;
+}
+
+// How many faces had to be left as they are not.
+struct FaceFlaws {
+  std::size_t too_few_corners = 0;
+  std::size_t normal_out_of_range = 0;
+};
+
+void addFace(const ObjMesh& mesh, const ObjMesh::Face& face, std::uint32_t material, Scene& scene,
+             FaceFlaws& flaws) {
+  const ObjMesh::Corner* corners = mesh.corners.data() + face.first_corner;
+  std::vector<Vec3> points;
+  bool normals_in_range = true;
+  for (std::uint32_t i = 0; i < face.corner_count; ++i) {
+    points.push_back(mesh.positions[corners[i].position]);
+    const std::uint32_t normal = corners[i].normal;
+    normals_in_range = normals_in_range && (normal == kNoIndex || normal < mesh.normals.size());
+  }
+  if (face.corner_count < 3) ++flaws.too_few_corners;
+  if (!normals_in_range) ++flaws.normal_out_of_range;
+  for (const auto& cut : triangulate(points)) {
+    Triangle triangle;
+    triangle.material = material;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const ObjMesh::Corner& corner = corners[cut[k]];
+      triangle.positions[k] = corner.position;
+      triangle.normals[k] = normals_in_range ? corner.normal : kNoIndex;
+    }
+    scene.triangles.push_back(triangle);
+  }
+}
+
+void demandVertices(const ObjMesh& mesh, const std::string& path) {
+  for (const ObjMesh::Face& face : mesh.faces) {
+    for (std::uint32_t i = 0; i < face.corner_count; ++i) {
+      const std::uint32_t position = mesh.corners[face.first_corner + i].position;
+      if (position < mesh.positions.size()) continue;
+      throw Error(ErrorKind::input,
+                  fmt::format("{}:{}: the face uses vertex {}, but the file has {}; export the "
+                              "model again",
+                              path, face.line, position + std::uint64_t{1}, mesh.positions.size()));
+    }
+  }
+}
+
+}  // namespace
+
+Scene readObjFile(const fs::path& path) {
+  const std::string shown_path = printable(path.string());
+  const std::string bytes = readFile(path, kLargestObj);
+  const ObjMesh mesh = parseObj(demandText(bytes, shown_path), shown_path);
+  if (mesh.faces.empty()) {
+    throw Error(
+        ErrorKind::input,
+        fmt::format("{}: the model has no faces; export it with faces, as OBJ", shown_path));
+  }
+  demandVertices(mesh, shown_path);
+
+  Scene scene;
+  scene.name = path.stem().string();
+  const std::vector<std::uint32_t> materials = resolveMaterials(mesh, path.parent_path(), scene);
+  std::optional<std::uint32_t> without_material;
+  FaceFlaws flaws;
+  for (const ObjMesh::Face& face : mesh.faces) {
+    if (face.material == kNoIndex && !without_material) {
+      without_material = static_cast<std::uint32_t>(scene.materials.size());
+      scene.materials.emplace_back().name = "default";
+    }
+    const std::uint32_t material =
+        face.material == kNoIndex ? *without_material : materials[face.material];
+    addFace(mesh, face, material, scene, flaws);
+  }
+  scene.positions = mesh.positions;
+  scene.normals = mesh.normals;
+  if (flaws.too_few_corners > 0) {
+    scene.warnings.push_back(fmt::format("dropped {} of less than three corners",
+                                         counted(flaws.too_few_corners, "face")));
+  }
+  if (flaws.normal_out_of_range > 0) {
+    scene.warnings.push_back(fmt::format("shaded {} flat: a normal that the file does not have",
+                                         counted(flaws.normal_out_of_range, "face")));
+  }
+  return scene;
+}
+
+}  // namespace glimt

@@ -1,0 +1,152 @@
+#include "renderer/scene/obj_mesh.h"
+
+#include <fmt/format.h>
+#include <tiny_obj_loader.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "renderer/core/error.h"
+#include "renderer/scene/obj_lines.h"
+#include "renderer/scene/scene.h"
+
+namespace glimt {
+namespace {
+
+std::string_view takeWord(std::string_view& text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+  const std::string_view word = text.substr(0, text.find_first_of(" \t"));
+  text.remove_prefix(word.size());
+  return word;
+}
+
+// tinyobjloader reads "nan", "inf" and "1.#IND" as 0 or 1.
+bool looksLikeNumber(std::string_view word) {
+  return word.find_first_not_of("0123456789+-.eE") == std::string_view::npos &&
+         word.find_first_of("0123456789") != std::string_view::npos &&
+         word.find_last_of("0123456789.") == word.size() - 1;
+}
+
+// What tinyobjloader calls, line by line. It gives the numbers; what it lets pass is checked here.
+class Collector : public tinyobj::MaterialReader {
+ public:
+  Collector(std::string_view text, const std::string& path) : lines_(text), path_(path) {}
+
+  ObjMesh collect() {
+    tinyobj::callback_t callback;
+    callback.vertex_cb = [](void* self, float x, float y, float z, float) {
+      static_cast<Collector*>(self)->addPosition(Vec3(x, y, z));
+    };
+    callback.normal_cb = [](void* self, float x, float y, float z) {
+      static_cast<Collector*>(self)->addNormal(Vec3(x, y, z));
+    };
+    callback.index_cb = [](void* self, tinyobj::index_t* corners, int count) {
+      static_cast<Collector*>(self)->addFace(corners, count);
+    };
+    callback.usemtl_cb = [](void* self, const char* name, int) {
+      static_cast<Collector*>(self)->useMaterial(name);
+    };
+    std::istream stream(&lines_);
+    // What is thrown while a line is fetched would else end in the stream's state.
+    stream.exceptions(std::ios::badbit);
+    std::string ignored_warnings;
+    std::string ignored_errors;
+    tinyobj::LoadObjWithCallback(stream, callback, this, this, &ignored_warnings, &ignored_errors);
+    return std::move(mesh_);
+  }
+
+  // tinyobjloader splits an mtllib line at blanks and swallows backslashes, so the line is kept as
+  // it stands.
+  bool operator()(const std::string&, std::vector<tinyobj::material_t>*,
+                  std::map<std::string, int>*, std::string*, std::string*) override {
+    std::string_view rest = lines_.line();
+    takeWord(rest);
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+    std::vector<std::string>& libraries = mesh_.material_libraries;
+    if (std::find(libraries.begin(), libraries.end(), rest) == libraries.end()) {
+      libraries.emplace_back(rest);
+    }
+    return true;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw Error(ErrorKind::input, fmt::format("{}:{}: {}", path_, lines_.number(), what));
+  }
+
+  // The value, or NaN where the line does not have three numbers.
+  Vec3 checked(const Vec3& value) const {
+    std::string_view rest = lines_.line();
+    takeWord(rest);
+    for (int i = 0; i < 3; ++i) {
+      if (!looksLikeNumber(takeWord(rest))) return Vec3(std::nanf(""));
+    }
+    return value;
+  }
+
+  void addPosition(const Vec3& position) {
+    std::string_view rest = lines_.line();
+    for (int i = 0; i < 4; ++i) {
+      if (takeWord(rest).empty()) fail("a vertex needs three numbers; export the model again");
+    }
+    mesh_.positions.push_back(checked(position));
+  }
+
+  void addNormal(const Vec3& normal) { mesh_.normals.push_back(checked(normal)); }
+
+  // From OBJ's count, which begins at 1 and runs backwards when negative.
+  std::uint32_t indexOf(int number, std::size_t count, const char* what) const {
+    if (number > 0) return static_cast<std::uint32_t>(number - 1);
+    const auto index = static_cast<std::int64_t>(count) + number;
+    if (number == 0) {
+      fail(fmt::format("a corner of the face is no {} number; they count from 1", what));
+    }
+    if (index < 0) {
+      fail(fmt::format(
+          "the face goes back to {} {}, but only {} came before; export the model again", what,
+          number, count));
+    }
+    return static_cast<std::uint32_t>(index);
+  }
+
+  void addFace(const tinyobj::index_t* corners, int count) {
+    ObjMesh::Face face{};
+    face.first_corner = mesh_.corners.size();
+    face.corner_count = static_cast<std::uint32_t>(count);
+    face.material = material_;
+    face.line = lines_.number();
+    for (int i = 0; i < count; ++i) {
+      const tinyobj::index_t& corner = corners[i];
+      const std::uint32_t position = indexOf(corner.vertex_index, mesh_.positions.size(), "vertex");
+      // tinyobjloader says 0 where no normal is given.
+      const std::uint32_t normal =
+          corner.normal_index == 0 ? kNoIndex
+                                   : indexOf(corner.normal_index, mesh_.normals.size(), "normal");
+      mesh_.corners.push_back({position, normal});
+    }
+    mesh_.faces.push_back(face);
+  }
+
+  void useMaterial(std::string_view name) {
+    name.remove_prefix(std::min(name.find_first_not_of(" \t"), name.size()));
+    const auto next = static_cast<std::uint32_t>(mesh_.material_names.size());
+    const auto [entry, is_new] = material_of_name_.try_emplace(std::string(name), next);
+    if (is_new) mesh_.material_names.emplace_back(name);
+    material_ = entry->second;
+  }
+
+  ObjLines lines_;
+  const std::string& path_;
+  ObjMesh mesh_;
+  std::uint32_t material_ = kNoIndex;
+  std::unordered_map<std::string, std::uint32_t> material_of_name_;
+};
+
+}  // namespace
+
+ObjMesh parseObj(std::string_view text, const std::string& path) {
+  return Collector(text, path).collect();
+}
+
+}  // namespace glimt

@@ -1,0 +1,186 @@
+#include "renderer/scene/scene_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "renderer/core/error.h"
+#include "renderer/core/image_file.h"
+#include "renderer/core/wording.h"
+#include "renderer/scene/json_fields.h"
+#include "renderer/scene/scene_check.h"
+
+namespace glimt {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kDeepest = 16;
+constexpr double kLargestFloat = std::numeric_limits<float>::max();
+
+constexpr Range kCoordinate = {-kLargestCoordinate, kLargestCoordinate,
+                               "a number of metres between -1e8 and 1e8"};
+constexpr Range kFinite = {-kLargestFloat, kLargestFloat, "a number"};
+constexpr Range kPositive = {0, kLargestFloat, "a number that is not negative"};
+constexpr Range kUnit = {0, 1, "a number between 0 and 1"};
+constexpr Range kIor = {1, 1000, "a number between 1 and 1000"};
+constexpr Range kFov = {0, 180, "a number between 0 and 180", true};
+constexpr Range kPixels = {1, 16384, "an integer between 1 and 16384"};
+constexpr Range kBounces = {0, 1000, "an integer between 0 and 1000"};
+constexpr Range kExposure = {-100, 100, "a number between -100 and 100"};
+
+CameraSettings readCamera(const JsonFields& fields) {
+  CameraSettings camera;
+  camera.position = fields.vector("position", kCoordinate);
+  camera.target = fields.vector("target", kCoordinate);
+  camera.up = fields.vector("up", kCoordinate);
+  camera.vertical_fov = fields.number("vertical_fov", kFov);
+  if (camera.up == Vec3(0)) fields.reject("up", "a direction");
+  if (camera.position && camera.position == camera.target) {
+    fields.reject("target", "another point than camera.position");
+  }
+  return camera;
+}
+
+// The picture's mean over the sphere: rows near the poles stand for less of it.
+Vec3 meanOverSphere(const Image& image) {
+  glm::dvec3 sum{0};
+  double weights = 0;
+  for (int y = 0; y < image.height; ++y) {
+    const double weight = std::sin(std::numbers::pi * (y + 0.5) / image.height);
+    for (int x = 0; x < image.width; ++x) {
+      const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                     static_cast<std::size_t>(x);
+      for (int c = 0; c < 3; ++c) {
+        const double value = image.pixels[i][c];
+        if (std::isfinite(value) && value > 0) sum[c] += weight * value;
+      }
+      weights += weight;
+    }
+  }
+  return Vec3(sum / weights);
+}
+
+Image readSky(const fs::path& path) {
+  try {
+    return readImage(path);
+  } catch (const Error& error) {
+    // Whatever is wrong with it, it is the scene that cannot be used.
+    throw Error(ErrorKind::input, error.what());
+  }
+}
+
+Environment readEnvironment(const JsonFields& fields, const fs::path& folder,
+                            std::vector<std::string>& warnings) {
+  Environment environment;
+  environment.color = fields.vector("color", kPositive).value_or(Vec3(1));
+  environment.strength = fields.number("strength", kPositive).value_or(1.0f);
+  fields.number("rotation", kFinite);
+  if (const std::optional<std::string> name = fields.text("image")) {
+    const fs::path path = folder / fs::path(*name);
+    environment.color = meanOverSphere(readSky(path));
+    warnings.push_back(
+        fmt::format("environment {}: for now its mean colour lights the scene, from all sides",
+                    printable(path.filename().string())));
+  }
+  return environment;
+}
+
+bool asksForMore(const JsonFields& fields) {
+  const float metallic = fields.number("metallic", kUnit).value_or(0.0f);
+  const float roughness = fields.number("roughness", kUnit).value_or(1.0f);
+  const float transmission = fields.number("transmission", kUnit).value_or(0.0f);
+  const float clearcoat = fields.number("clearcoat", kUnit).value_or(0.0f);
+  const bool has_ior = fields.number("ior", kIor).has_value();
+  return metallic > 0 || roughness < 1 || transmission > 0 || clearcoat > 0 || has_ior;
+}
+
+MaterialSettings readMaterial(std::string name, const JsonFields& fields) {
+  MaterialSettings material;
+  material.name = std::move(name);
+  material.base_color = fields.vector("base_color", kUnit);
+  material.emission = fields.vector("emission", kPositive);
+  material.double_sided = fields.boolean("double_sided");
+  material.beyond_lambert = asksForMore(fields);
+  return material;
+}
+
+RenderDefaults readRender(const JsonFields& fields) {
+  RenderDefaults render;
+  render.size = fields.integers("size", kPixels);
+  render.bounces = fields.integer("bounces", kBounces);
+  render.exposure = fields.number("exposure", kExposure);
+  return render;
+}
+
+}  // namespace
+
+SceneFile readSceneFile(const fs::path& path) {
+  const nlohmann::json document = readJson(path, kDeepest);
+  const JsonFields fields(path, "", document,
+                          {"model", "camera", "environment", "materials", "render"});
+  SceneFile file;
+  const std::optional<std::string> model = fields.text("model");
+  if (!model) {
+    throw Error(ErrorKind::input,
+                fmt::format("{}: the key \"model\" is missing; name the .obj to render",
+                            printable(path.string())));
+  }
+  file.model = path.parent_path() / fs::path(*model);
+  if (const auto* camera = fields.object("camera")) {
+    file.camera = readCamera(
+        JsonFields(path, "camera", *camera, {"position", "target", "up", "vertical_fov"}));
+  }
+  if (const auto* environment = fields.object("environment");
+      environment && !environment->empty()) {
+    file.environment = readEnvironment(
+        JsonFields(path, "environment", *environment, {"color", "image", "strength", "rotation"}),
+        path.parent_path(), file.warnings);
+  }
+  if (const auto* materials = fields.object("materials")) {
+    for (const auto& [name, value] : materials->items()) {
+      const JsonFields material(path, fmt::format("materials.{}", printable(name)), value,
+                                {"base_color", "metallic", "roughness", "ior", "transmission",
+                                 "emission", "clearcoat", "double_sided"});
+      file.materials.push_back(readMaterial(name, material));
+    }
+  }
+  if (const auto* render = fields.object("render")) {
+    file.render = readRender(JsonFields(path, "render", *render, {"size", "bounces", "exposure"}));
+  }
+  return file;
+}
+
+void applyMaterials(const SceneFile& file, Scene& scene) {
+  std::vector<std::string> unknown;
+  std::vector<std::string> simplified;
+  for (const MaterialSettings& settings : file.materials) {
+    const auto material =
+        std::find_if(scene.materials.begin(), scene.materials.end(),
+                     [&](const Material& candidate) { return candidate.name == settings.name; });
+    if (material == scene.materials.end()) {
+      unknown.push_back(settings.name);
+      continue;
+    }
+    if (settings.base_color) material->base_color = *settings.base_color;
+    if (settings.emission) material->emission = *settings.emission;
+    if (settings.double_sided) material->double_sided = *settings.double_sided;
+    if (settings.beyond_lambert) simplified.push_back(settings.name);
+  }
+  if (!unknown.empty()) {
+    std::vector<std::string> known;
+    for (const Material& material : scene.materials) known.push_back(material.name);
+    scene.warnings.push_back(
+        fmt::format("the model has no material {}; it has {}", listed(unknown), listed(known)));
+  }
+  if (!simplified.empty()) {
+    scene.warnings.push_back(fmt::format(
+        "the scene file asks for metal, gloss or glass; for now rendered as Lambert: {}",
+        listed(simplified)));
+  }
+}
+
+}  // namespace glimt

@@ -1,0 +1,38 @@
+// The *.scene.json: a model, and what its format cannot say.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/scene/framing.h"
+#include "renderer/scene/scene.h"
+
+namespace glimt {
+
+// What the file says about one material; it wins over the model's own.
+struct MaterialSettings {
+  std::string name;
+  std::optional<Vec3> base_color;
+  std::optional<Vec3> emission;
+  std::optional<bool> double_sided;
+  bool beyond_lambert = false;  // asks for gloss, metal or glass
+};
+
+struct SceneFile {
+  std::filesystem::path model;
+  CameraSettings camera;
+  std::optional<Environment> environment;  // nothing: the file does not speak of it
+  std::vector<MaterialSettings> materials;
+  RenderDefaults render;
+  std::vector<std::string> warnings;
+};
+
+// Errors: input, naming the key; also from reading the environment's picture.
+SceneFile readSceneFile(const std::filesystem::path& path);
+
+// Gives the model's materials what the file says about them.
+void applyMaterials(const SceneFile& file, Scene& scene);
+
+}  // namespace glimt

@@ -1,0 +1,83 @@
+#include "renderer/scene/effects_of.h"
+
+#include <catch2/catch.hpp>
+
+using namespace glimt;
+
+namespace {
+
+// `count` triangles of one grey material.
+Scene sceneOf(std::size_t count) {
+  Scene scene;
+  scene.materials.resize(2);
+  scene.materials[1].emission = Vec3(0, 2, 0);
+  scene.triangles.resize(count);
+  return scene;
+}
+
+EffectReport reportOn(const Scene& scene, Effect effect) {
+  for (const EffectReport& report : reportEffects(scene)) {
+    if (report.effect == effect) return report;
+  }
+  FAIL("the effect is not reported");
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("every effect is reported once, on or off, with its name and a reason") {
+  const std::vector<EffectReport> reports = reportEffects(sceneOf(1));
+  REQUIRE(reports.size() == kEffectCount);
+  EffectSet seen;
+  for (const EffectReport& report : reports) {
+    CHECK_FALSE(seen[static_cast<std::size_t>(report.effect)]);
+    seen.set(static_cast<std::size_t>(report.effect));
+    CHECK_FALSE(report.name.empty());
+    CHECK_FALSE(report.reason.empty());
+  }
+}
+
+TEST_CASE("a plain scene calls for no effect") {
+  CHECK(effectsOf(sceneOf(3)).none());
+  CHECK(effectsOf(Scene{}).none());
+  CHECK(reportOn(sceneOf(3), Effect::triangle_lights).reason == "no triangle emits");
+  CHECK(reportOn(sceneOf(3), Effect::environment).reason == "its radiance is zero");
+  CHECK(reportOn(sceneOf(3), Effect::smooth_normals).reason == "no triangle has normals");
+}
+
+TEST_CASE("triangles that emit turn on triangle_lights and nothing else") {
+  Scene scene = sceneOf(4);
+  scene.triangles[0].material = 1;
+  CHECK(reportOn(scene, Effect::triangle_lights).reason == "1 triangle emits");
+  scene.triangles[2].material = 1;
+  const EffectReport report = reportOn(scene, Effect::triangle_lights);
+  CHECK(report.on);
+  CHECK(report.name == "triangle_lights");
+  CHECK(report.reason == "2 triangles emit");
+  CHECK(has(effectsOf(scene), Effect::triangle_lights));
+  CHECK(effectsOf(scene).count() == 1);
+}
+
+TEST_CASE("an emitting material that no triangle has is no light") {
+  CHECK_FALSE(has(effectsOf(sceneOf(4)), Effect::triangle_lights));
+}
+
+TEST_CASE("the environment is on when its radiance is not zero in all channels") {
+  Scene scene = sceneOf(1);
+  scene.environment.color = Vec3(1);
+  scene.environment.strength = 0.5f;
+  CHECK(reportOn(scene, Effect::environment).on);
+  CHECK(reportOn(scene, Effect::environment).reason == "environment radiance is (0.5, 0.5, 0.5)");
+  scene.environment.color = Vec3(0, 0, 1e-6f);
+  CHECK(has(effectsOf(scene), Effect::environment));
+  scene.environment.strength = 0;
+  CHECK_FALSE(has(effectsOf(scene), Effect::environment));
+}
+
+TEST_CASE("smooth_normals is on when at least one triangle has normals, and says how many have") {
+  Scene scene = sceneOf(5000);
+  for (std::size_t i = 0; i < 1234; ++i) scene.triangles[i].normals = {0, 0, 0};
+  const EffectReport report = reportOn(scene, Effect::smooth_normals);
+  CHECK(report.on);
+  CHECK(report.reason == "1,234 of 5,000 triangles have normals");
+}
