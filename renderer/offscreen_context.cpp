@@ -34,7 +34,9 @@ ContextHandle::ContextHandle(ContextHandle&&) noexcept = default;
 ContextHandle& ContextHandle::operator=(ContextHandle&&) noexcept = default;
 ContextHandle::~ContextHandle() = default;
 
-ContextInfo ContextHandle::info() const { return context_->info(); }
+ContextInfo ContextHandle::info() const {
+  return context_->info();
+}
 
 ContextHandle createOffscreenContext(Backend backend, int gles) {
   std::string reasons;

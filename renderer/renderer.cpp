@@ -75,9 +75,13 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
-void Renderer::setCamera(const Camera& camera) { state_->tracer.setCamera(camera); }
+void Renderer::setCamera(const Camera& camera) {
+  state_->tracer.setCamera(camera);
+}
 
-void Renderer::resize(int width, int height) { state_->tracer.resize(width, height); }
+void Renderer::resize(int width, int height) {
+  state_->tracer.resize(width, height);
+}
 
 void Renderer::renderSample() {
   while (!state_->drawTile()) {
@@ -92,7 +96,9 @@ void Renderer::advance(double seconds, int most_samples) {
   }
 }
 
-int Renderer::samples() const { return state_->tracer.samples(); }
+int Renderer::samples() const {
+  return state_->tracer.samples();
+}
 
 Image Renderer::radiance() {
   const gl::Target& mean = state_->tracer.film().mean.front();
@@ -123,8 +129,7 @@ DisplayImage Renderer::display(float exposure) {
   for (int y = image.height - 1; y >= 0; --y)
     for (int x = 0; x < image.width; ++x)
       for (int channel = 0; channel < 3; ++channel)
-        image.bytes.push_back(
-            bytes[(static_cast<std::size_t>(y) * image.width + x) * 4 + channel]);
+        image.bytes.push_back(bytes[(static_cast<std::size_t>(y) * image.width + x) * 4 + channel]);
   return image;
 }
 

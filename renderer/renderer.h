@@ -56,10 +56,10 @@ struct RenderSettings {
 };
 
 struct RenderStatistics {
-  std::string traversal;              // the variant in use
+  std::string traversal;  // the variant in use
   std::size_t triangles = 0;
-  std::size_t nodes = 0;              // of the BVH
-  std::size_t texture_bytes = 0;      // geometry, tree and materials on the GPU
+  std::size_t nodes = 0;          // of the BVH
+  std::size_t texture_bytes = 0;  // geometry, tree and materials on the GPU
   double bvh_seconds = 0;
   double compile_seconds = 0;
   // Rays per picture of one sample, counted in the first one. Shadow rays are those that were cast.

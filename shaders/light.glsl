@@ -20,6 +20,7 @@ vec3 emittedRadiance(HitRecord record, Surface surface) {
 #endif
 }
 
+#if TRIANGLE_LIGHTS || ENVIRONMENT
 vec3 reflectedRadiance(HitRecord record, Surface surface, vec4 random, bool wanted) {
   vec3 origin = leaveSurface(surface.position, surface.geometric, surface.largest_coordinate);
   LightSample light = sampleLight(surface, origin, random);
@@ -34,6 +35,7 @@ vec3 reflectedRadiance(HitRecord record, Surface surface, vec4 random, bool want
   float weight = uLastSurface > 0.5 ? 1.0 : powerHeuristic(light.pdf, max(cosine, 0.0) / PI);
   return evalLambert(base_color) * light.radiance * (visible * weight * max(cosine, 0.0) / light.pdf);
 }
+#endif
 
 vec3 radianceOf(vec4 texel, vec4 random) {
   HitRecord record = decodeHitRecord(texel);

@@ -34,17 +34,21 @@ LightSample sampleEnvironment(Surface surface, vec2 random) {
 }
 #endif
 
-LightSample sampleLight(Surface surface, vec3 origin, vec4 random) {
 #if TRIANGLE_LIGHTS && ENVIRONMENT
+LightSample sampleLight(Surface surface, vec3 origin, vec4 random) {
   LightSample triangle = sampleTriangleLight(origin, random.z, random.xy);
   LightSample sky = sampleEnvironment(surface, random.xy);
   triangle.pdf *= 1.0 - uEnvironmentShare;
   sky.pdf *= uEnvironmentShare;
   if (random.w < uEnvironmentShare) return sky;
   return triangle;
-#elif TRIANGLE_LIGHTS
-  return sampleTriangleLight(origin, random.z, random.xy);
-#else
-  return sampleEnvironment(surface, random.xy);
-#endif
 }
+#elif TRIANGLE_LIGHTS
+LightSample sampleLight(Surface surface, vec3 origin, vec4 random) {
+  return sampleTriangleLight(origin, random.z, random.xy);
+}
+#elif ENVIRONMENT
+LightSample sampleLight(Surface surface, vec3 origin, vec4 random) {
+  return sampleEnvironment(surface, random.xy);
+}
+#endif

@@ -153,6 +153,8 @@ class Builder {
 
 }  // namespace
 
-Bvh buildBvh(const std::vector<Bounds>& boxes) { return Builder(boxes).build(); }
+Bvh buildBvh(const std::vector<Bounds>& boxes) {
+  return Builder(boxes).build();
+}
 
 }  // namespace glimt

@@ -10,7 +10,8 @@ namespace glimt {
 
 struct BvhNode {
   Bounds bounds;
-  std::uint32_t first = 0;  // inner: index of the lower child, the upper one follows it; leaf: into order
+  std::uint32_t first =
+      0;  // inner: index of the lower child, the upper one follows it; leaf: into order
   std::uint16_t count = 0;  // of primitives; 0 for an inner node
   std::uint8_t axis = 0;    // inner: 0, 1 or 2, along which the lower child comes first
 

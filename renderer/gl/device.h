@@ -18,8 +18,8 @@ struct Tile {
 };
 
 // The first of `forms` in which a target really keeps four full floats: integers of 24 bits are
-// written and read back. A framebuffer that calls itself complete proves nothing, since some drivers
-// quietly give 8 bits. None where no form passes.
+// written and read back. A framebuffer that calls itself complete proves nothing, since some
+// drivers quietly give 8 bits. None where no form passes.
 std::optional<FloatForm> findFloatForm(const Functions& gl, const std::vector<FloatForm>& forms);
 
 class Device {

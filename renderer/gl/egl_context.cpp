@@ -16,17 +16,22 @@ namespace {
 
 struct Egl {
   SharedLibrary library{"libEGL.so.1"};
-  decltype(&eglGetProcAddress) getProcAddress = require<decltype(&eglGetProcAddress)>("eglGetProcAddress");
+  decltype(&eglGetProcAddress) getProcAddress =
+      require<decltype(&eglGetProcAddress)>("eglGetProcAddress");
   decltype(&eglGetError) getError = require<decltype(&eglGetError)>("eglGetError");
   decltype(&eglGetDisplay) getDisplay = require<decltype(&eglGetDisplay)>("eglGetDisplay");
   decltype(&eglInitialize) initialize = require<decltype(&eglInitialize)>("eglInitialize");
   decltype(&eglTerminate) terminate = require<decltype(&eglTerminate)>("eglTerminate");
   decltype(&eglBindAPI) bindApi = require<decltype(&eglBindAPI)>("eglBindAPI");
   decltype(&eglChooseConfig) chooseConfig = require<decltype(&eglChooseConfig)>("eglChooseConfig");
-  decltype(&eglCreateContext) createContext = require<decltype(&eglCreateContext)>("eglCreateContext");
-  decltype(&eglDestroyContext) destroyContext = require<decltype(&eglDestroyContext)>("eglDestroyContext");
-  decltype(&eglCreatePbufferSurface) createPbuffer = require<decltype(&eglCreatePbufferSurface)>("eglCreatePbufferSurface");
-  decltype(&eglDestroySurface) destroySurface = require<decltype(&eglDestroySurface)>("eglDestroySurface");
+  decltype(&eglCreateContext) createContext =
+      require<decltype(&eglCreateContext)>("eglCreateContext");
+  decltype(&eglDestroyContext) destroyContext =
+      require<decltype(&eglDestroyContext)>("eglDestroyContext");
+  decltype(&eglCreatePbufferSurface) createPbuffer =
+      require<decltype(&eglCreatePbufferSurface)>("eglCreatePbufferSurface");
+  decltype(&eglDestroySurface) destroySurface =
+      require<decltype(&eglDestroySurface)>("eglDestroySurface");
   decltype(&eglMakeCurrent) makeCurrent = require<decltype(&eglMakeCurrent)>("eglMakeCurrent");
 
   template <class Function>
@@ -73,7 +78,8 @@ class EglContext final : public Context {
  private:
   void create(Surface surface, int gles) {
     if (!egl_.bindApi(EGL_OPENGL_ES_API)) egl_.fail("eglBindAPI");
-    const std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, surface == Surface::pbuffer ? EGL_PBUFFER_BIT : 0,
+    const std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE,
+                                       surface == Surface::pbuffer ? EGL_PBUFFER_BIT : 0,
                                        EGL_RENDERABLE_TYPE, EGL_OPENGL_ES2_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
@@ -115,7 +121,8 @@ std::unique_ptr<Context> createEglSurfacelessContext(int gles) {
   const EGLDisplay display =
       platformDisplay(egl, EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY);
   if (display == EGL_NO_DISPLAY) egl.fail("eglGetPlatformDisplayEXT(surfaceless)");
-  return std::make_unique<EglContext>(std::move(egl), display, Surface::none, "egl surfaceless", gles);
+  return std::make_unique<EglContext>(std::move(egl), display, Surface::none, "egl surfaceless",
+                                      gles);
 }
 
 std::unique_ptr<Context> createEglDeviceContext(int gles) {
@@ -142,7 +149,8 @@ std::unique_ptr<Context> createEglPbufferContext(int gles) {
   Egl egl;
   const EGLDisplay display = egl.getDisplay(EGL_DEFAULT_DISPLAY);
   if (display == EGL_NO_DISPLAY) egl.fail("eglGetDisplay");
-  return std::make_unique<EglContext>(std::move(egl), display, Surface::pbuffer, "egl pbuffer", gles);
+  return std::make_unique<EglContext>(std::move(egl), display, Surface::pbuffer, "egl pbuffer",
+                                      gles);
 }
 
 }  // namespace glimt::gl

@@ -8,11 +8,12 @@ namespace glimt::gl {
 
 Functions Functions::load(const ProcLoader& loader) {
   Functions table;
-#define GLIMT_GL_LOAD(name, type)                                                          \
-  table.name = reinterpret_cast<type>(loader("gl" #name));                                 \
-  if (!table.name)                                                                         \
-    throw Error(ErrorKind::no_gl, "the context has no gl" #name                            \
-                                  "; OpenGL ES 2.0 or desktop GL with ARB_ES2_compatibility is needed");
+#define GLIMT_GL_LOAD(name, type)                          \
+  table.name = reinterpret_cast<type>(loader("gl" #name)); \
+  if (!table.name)                                         \
+    throw Error(ErrorKind::no_gl,                          \
+                "the context has no gl" #name              \
+                "; OpenGL ES 2.0 or desktop GL with ARB_ES2_compatibility is needed");
   GLIMT_GL_FUNCTIONS(GLIMT_GL_LOAD)
 #undef GLIMT_GL_LOAD
   return table;

@@ -10,57 +10,57 @@ namespace glimt::gl {
 using ProcLoader = std::function<void*(const char* name)>;
 
 // name without its prefix, type of the pointer
-#define GLIMT_GL_FUNCTIONS(X)                              \
-  X(ActiveTexture, PFNGLACTIVETEXTUREPROC)                 \
-  X(AttachShader, PFNGLATTACHSHADERPROC)                   \
-  X(BindAttribLocation, PFNGLBINDATTRIBLOCATIONPROC)       \
-  X(BindBuffer, PFNGLBINDBUFFERPROC)                       \
-  X(BindFramebuffer, PFNGLBINDFRAMEBUFFERPROC)             \
-  X(BindTexture, PFNGLBINDTEXTUREPROC)                     \
-  X(BlendFunc, PFNGLBLENDFUNCPROC)                         \
-  X(BufferData, PFNGLBUFFERDATAPROC)                       \
-  X(CheckFramebufferStatus, PFNGLCHECKFRAMEBUFFERSTATUSPROC) \
-  X(Clear, PFNGLCLEARPROC)                                 \
-  X(ClearColor, PFNGLCLEARCOLORPROC)                       \
-  X(CompileShader, PFNGLCOMPILESHADERPROC)                 \
-  X(CreateProgram, PFNGLCREATEPROGRAMPROC)                 \
-  X(CreateShader, PFNGLCREATESHADERPROC)                   \
-  X(DeleteBuffers, PFNGLDELETEBUFFERSPROC)                 \
-  X(DeleteFramebuffers, PFNGLDELETEFRAMEBUFFERSPROC)       \
-  X(DeleteProgram, PFNGLDELETEPROGRAMPROC)                 \
-  X(DeleteShader, PFNGLDELETESHADERPROC)                   \
-  X(DeleteTextures, PFNGLDELETETEXTURESPROC)               \
-  X(Disable, PFNGLDISABLEPROC)                             \
-  X(DrawArrays, PFNGLDRAWARRAYSPROC)                       \
-  X(Enable, PFNGLENABLEPROC)                               \
+#define GLIMT_GL_FUNCTIONS(X)                                  \
+  X(ActiveTexture, PFNGLACTIVETEXTUREPROC)                     \
+  X(AttachShader, PFNGLATTACHSHADERPROC)                       \
+  X(BindAttribLocation, PFNGLBINDATTRIBLOCATIONPROC)           \
+  X(BindBuffer, PFNGLBINDBUFFERPROC)                           \
+  X(BindFramebuffer, PFNGLBINDFRAMEBUFFERPROC)                 \
+  X(BindTexture, PFNGLBINDTEXTUREPROC)                         \
+  X(BlendFunc, PFNGLBLENDFUNCPROC)                             \
+  X(BufferData, PFNGLBUFFERDATAPROC)                           \
+  X(CheckFramebufferStatus, PFNGLCHECKFRAMEBUFFERSTATUSPROC)   \
+  X(Clear, PFNGLCLEARPROC)                                     \
+  X(ClearColor, PFNGLCLEARCOLORPROC)                           \
+  X(CompileShader, PFNGLCOMPILESHADERPROC)                     \
+  X(CreateProgram, PFNGLCREATEPROGRAMPROC)                     \
+  X(CreateShader, PFNGLCREATESHADERPROC)                       \
+  X(DeleteBuffers, PFNGLDELETEBUFFERSPROC)                     \
+  X(DeleteFramebuffers, PFNGLDELETEFRAMEBUFFERSPROC)           \
+  X(DeleteProgram, PFNGLDELETEPROGRAMPROC)                     \
+  X(DeleteShader, PFNGLDELETESHADERPROC)                       \
+  X(DeleteTextures, PFNGLDELETETEXTURESPROC)                   \
+  X(Disable, PFNGLDISABLEPROC)                                 \
+  X(DrawArrays, PFNGLDRAWARRAYSPROC)                           \
+  X(Enable, PFNGLENABLEPROC)                                   \
   X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC) \
-  X(Finish, PFNGLFINISHPROC)                               \
-  X(FramebufferTexture2D, PFNGLFRAMEBUFFERTEXTURE2DPROC)   \
-  X(GenBuffers, PFNGLGENBUFFERSPROC)                       \
-  X(GenFramebuffers, PFNGLGENFRAMEBUFFERSPROC)             \
-  X(GenTextures, PFNGLGENTEXTURESPROC)                     \
-  X(GetError, PFNGLGETERRORPROC)                           \
-  X(GetIntegerv, PFNGLGETINTEGERVPROC)                     \
-  X(GetProgramInfoLog, PFNGLGETPROGRAMINFOLOGPROC)         \
-  X(GetProgramiv, PFNGLGETPROGRAMIVPROC)                   \
-  X(GetShaderInfoLog, PFNGLGETSHADERINFOLOGPROC)           \
-  X(GetShaderiv, PFNGLGETSHADERIVPROC)                     \
-  X(GetString, PFNGLGETSTRINGPROC)                         \
-  X(GetUniformLocation, PFNGLGETUNIFORMLOCATIONPROC)       \
-  X(LinkProgram, PFNGLLINKPROGRAMPROC)                     \
-  X(PixelStorei, PFNGLPIXELSTOREIPROC)                     \
-  X(ReadPixels, PFNGLREADPIXELSPROC)                       \
-  X(Scissor, PFNGLSCISSORPROC)                             \
-  X(ShaderSource, PFNGLSHADERSOURCEPROC)                   \
-  X(TexImage2D, PFNGLTEXIMAGE2DPROC)                       \
-  X(TexParameteri, PFNGLTEXPARAMETERIPROC)                 \
-  X(Uniform1f, PFNGLUNIFORM1FPROC)                         \
-  X(Uniform1i, PFNGLUNIFORM1IPROC)                         \
-  X(Uniform2f, PFNGLUNIFORM2FPROC)                         \
-  X(Uniform3f, PFNGLUNIFORM3FPROC)                         \
-  X(Uniform4f, PFNGLUNIFORM4FPROC)                         \
-  X(UseProgram, PFNGLUSEPROGRAMPROC)                       \
-  X(VertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC)     \
+  X(Finish, PFNGLFINISHPROC)                                   \
+  X(FramebufferTexture2D, PFNGLFRAMEBUFFERTEXTURE2DPROC)       \
+  X(GenBuffers, PFNGLGENBUFFERSPROC)                           \
+  X(GenFramebuffers, PFNGLGENFRAMEBUFFERSPROC)                 \
+  X(GenTextures, PFNGLGENTEXTURESPROC)                         \
+  X(GetError, PFNGLGETERRORPROC)                               \
+  X(GetIntegerv, PFNGLGETINTEGERVPROC)                         \
+  X(GetProgramInfoLog, PFNGLGETPROGRAMINFOLOGPROC)             \
+  X(GetProgramiv, PFNGLGETPROGRAMIVPROC)                       \
+  X(GetShaderInfoLog, PFNGLGETSHADERINFOLOGPROC)               \
+  X(GetShaderiv, PFNGLGETSHADERIVPROC)                         \
+  X(GetString, PFNGLGETSTRINGPROC)                             \
+  X(GetUniformLocation, PFNGLGETUNIFORMLOCATIONPROC)           \
+  X(LinkProgram, PFNGLLINKPROGRAMPROC)                         \
+  X(PixelStorei, PFNGLPIXELSTOREIPROC)                         \
+  X(ReadPixels, PFNGLREADPIXELSPROC)                           \
+  X(Scissor, PFNGLSCISSORPROC)                                 \
+  X(ShaderSource, PFNGLSHADERSOURCEPROC)                       \
+  X(TexImage2D, PFNGLTEXIMAGE2DPROC)                           \
+  X(TexParameteri, PFNGLTEXPARAMETERIPROC)                     \
+  X(Uniform1f, PFNGLUNIFORM1FPROC)                             \
+  X(Uniform1i, PFNGLUNIFORM1IPROC)                             \
+  X(Uniform2f, PFNGLUNIFORM2FPROC)                             \
+  X(Uniform3f, PFNGLUNIFORM3FPROC)                             \
+  X(Uniform4f, PFNGLUNIFORM4FPROC)                             \
+  X(UseProgram, PFNGLUSEPROGRAMPROC)                           \
+  X(VertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC)         \
   X(Viewport, PFNGLVIEWPORTPROC)
 
 struct Functions {

@@ -10,7 +10,9 @@
 namespace glimt::gl {
 namespace {
 
-std::string firstLine(const std::string& log) { return log.substr(0, log.find('\n')); }
+std::string firstLine(const std::string& log) {
+  return log.substr(0, log.find('\n'));
+}
 
 std::string sourceLine(const std::string& source, int number) {
   std::istringstream lines(source);
@@ -68,12 +70,15 @@ Program::Program(const Functions& gl, const std::string& name, const std::string
   GLint linked = GL_FALSE;
   gl.GetProgramiv(handle_.name(), GL_LINK_STATUS, &linked);
   if (!linked)
-    throw Error(ErrorKind::failed,
-                fmt::format("the shader '{}' does not link: {}", name,
-                            firstLine(readLog(handle_.name(), gl.GetProgramiv, gl.GetProgramInfoLog))));
+    throw Error(
+        ErrorKind::failed,
+        fmt::format("the shader '{}' does not link: {}", name,
+                    firstLine(readLog(handle_.name(), gl.GetProgramiv, gl.GetProgramInfoLog))));
 }
 
-void Program::use() const { handle_.gl().UseProgram(handle_.name()); }
+void Program::use() const {
+  handle_.gl().UseProgram(handle_.name());
+}
 
 void Program::set(const std::string& uniform, float value) {
   handle_.gl().Uniform1f(location(uniform), value);

@@ -11,7 +11,9 @@ SharedLibrary::SharedLibrary(const std::string& name)
   if (!handle_) throw Error(ErrorKind::no_gl, dlerror());
 }
 
-void* SharedLibrary::find(const char* symbol) const { return dlsym(handle_.get(), symbol); }
+void* SharedLibrary::find(const char* symbol) const {
+  return dlsym(handle_.get(), symbol);
+}
 
 void* SharedLibrary::findOrThrow(const char* symbol) const {
   void* address = find(symbol);
@@ -19,6 +21,8 @@ void* SharedLibrary::findOrThrow(const char* symbol) const {
   return address;
 }
 
-void SharedLibrary::Close::operator()(void* handle) const { dlclose(handle); }
+void SharedLibrary::Close::operator()(void* handle) const {
+  dlclose(handle);
+}
 
 }  // namespace glimt::gl

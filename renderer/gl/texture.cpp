@@ -9,7 +9,9 @@ namespace {
 
 constexpr GLint kRgba32f = 0x8814;  // GL_RGBA32F, which ES 2.0's header does not know
 
-bool isPowerOfTwo(int n) { return (n & (n - 1)) == 0; }
+bool isPowerOfTwo(int n) {
+  return (n & (n - 1)) == 0;
+}
 
 TextureHandle generate(const Functions& gl) {
   GLuint name = 0;

@@ -11,7 +11,8 @@ namespace glimt::gl {
 // How a context wants four floats per texel to be asked for.
 enum class FloatForm {
   sized,    // GL_RGBA32F: ES 3, Mesa's ES 2, desktop GL
-  unsized,  // GL_RGBA with GL_FLOAT: WebGL 1, ES 2 with OES_texture_float; 8 bits on some desktop GL
+  unsized,  // GL_RGBA with GL_FLOAT: WebGL 1, ES 2 with OES_texture_float; 8 bits on some desktop
+            // GL
 };
 
 // Nearest filter, no mipmaps. Coordinates repeat where both sizes are powers of two and are clamped

@@ -10,10 +10,11 @@ namespace {
 void checkSize(const gl::Device& device, int width, int height) {
   const int largest = device.maxTextureSize();
   if (width > largest || height > largest)
-    throw Error(ErrorKind::usage,
-                fmt::format("a picture of {} x {} is larger than this device can draw ({} x {}); ask "
-                            "for a smaller --size",
-                            width, height, largest, largest));
+    throw Error(
+        ErrorKind::usage,
+        fmt::format("a picture of {} x {} is larger than this device can draw ({} x {}); ask "
+                    "for a smaller --size",
+                    width, height, largest, largest));
 }
 
 }  // namespace

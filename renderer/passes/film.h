@@ -13,7 +13,7 @@ class TargetPair {
   TargetPair() = default;
   TargetPair(const gl::Device& device, int width, int height);
 
-  const gl::Target& front() const { return targets_[front_]; }  // to read
+  const gl::Target& front() const { return targets_[front_]; }     // to read
   const gl::Target& back() const { return targets_[1 - front_]; }  // to write
   void swap() { front_ = 1 - front_; }
   void clear();

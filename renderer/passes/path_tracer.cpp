@@ -39,10 +39,11 @@ void PathTracer::compile(const Scene& scene, const std::string& traversal) {
   const std::string vertex = composeVertexShader();
   for (const Pass pass : {Pass::camera, Pass::trace, Pass::light, Pass::accumulate}) {
     const ShaderRequest request{pass, effectsOf(scene), traversal, device_->floatBlending()};
-    programs_.emplace(pass, gl::Program(device_->gl(), nameOf(pass), vertex,
-                                        composeFragmentShader(request)));
+    programs_.emplace(
+        pass, gl::Program(device_->gl(), nameOf(pass), vertex, composeFragmentShader(request)));
   }
-  compile_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  compile_seconds_ =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 void PathTracer::setCamera(const Camera& camera) {

@@ -59,7 +59,9 @@ std::uint32_t hash(std::uint32_t x) {
   return x ^ (x >> 16);
 }
 
-std::uint32_t hash(std::uint32_t a, std::uint32_t b) { return hash(a ^ (hash(b) + 0x9e3779b9u)); }
+std::uint32_t hash(std::uint32_t a, std::uint32_t b) {
+  return hash(a ^ (hash(b) + 0x9e3779b9u));
+}
 
 std::uint32_t reverseBits(std::uint32_t x) {
   x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
@@ -81,7 +83,9 @@ std::uint32_t scramble(std::uint32_t x, std::uint32_t seed) {
   return reverseBits(x);
 }
 
-float toUnit(std::uint32_t x) { return static_cast<float>(x >> 9) * 0x1p-23f; }
+float toUnit(std::uint32_t x) {
+  return static_cast<float>(x >> 9) * 0x1p-23f;
+}
 
 }  // namespace
 
@@ -108,7 +112,9 @@ gl::Texture SamplePoints::makeOffsets(const gl::Device& device) const {
   std::vector<Vec4> texels;
   texels.reserve(kSize * kSize);
   for (std::uint32_t i = 0; i < kSize * kSize; ++i) {
-    const auto number = [&](std::uint32_t k) { return toUnit(hash(hash(seed_, 0x2545f491u), 4 * i + k)); };
+    const auto number = [&](std::uint32_t k) {
+      return toUnit(hash(hash(seed_, 0x2545f491u), 4 * i + k));
+    };
     texels.emplace_back(number(0), number(1), number(2), number(3));
   }
   return gl::Texture::floats(device.gl(), device.floatForm(), kSize, kSize, texels);

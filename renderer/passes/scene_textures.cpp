@@ -123,8 +123,8 @@ SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene) {
   materials_ = makeDataTexture(device, packMaterials(scene, lights), "materials");
   lights_ = makeDataTexture(device, packLights(lights, bvh), "lights");
   const bool smooth = !scene.normals.empty();
-  normals_ = makeDataTexture(
-      device, smooth ? packNormals(scene, bvh) : std::vector<Vec4>(), "normals");
+  normals_ =
+      makeDataTexture(device, smooth ? packNormals(scene, bvh) : std::vector<Vec4>(), "normals");
   node_count_ = bvh.nodes.size();
   nodes_per_octant_ = octants.nodes_per_octant;
   grid_origin_ = octants.grid_origin;
@@ -151,7 +151,8 @@ void SceneTextures::bind(gl::Program& program) const {
 std::size_t SceneTextures::bytes() const {
   std::size_t texels = 0;
   for (const gl::Texture* texture : {&nodes_, &triangles_, &normals_, &materials_, &lights_})
-    texels += static_cast<std::size_t>(texture->width()) * static_cast<std::size_t>(texture->height());
+    texels +=
+        static_cast<std::size_t>(texture->width()) * static_cast<std::size_t>(texture->height());
   return texels * sizeof(Vec4);
 }
 

@@ -14,7 +14,9 @@ namespace glimt {
 namespace {
 
 // Which passes a file is part of.
-constexpr unsigned bit(Pass pass) { return 1u << static_cast<unsigned>(pass); }
+constexpr unsigned bit(Pass pass) {
+  return 1u << static_cast<unsigned>(pass);
+}
 constexpr unsigned kCamera = bit(Pass::camera);
 constexpr unsigned kTrace = bit(Pass::trace);
 constexpr unsigned kLight = bit(Pass::light);
@@ -111,7 +113,9 @@ std::string shaderText(const std::string& file) {
   throw Error(ErrorKind::failed, "there is no shader file '" + file + "'");
 }
 
-std::string composeVertexShader() { return "#version 100\n" + shaderText("full_screen.vert"); }
+std::string composeVertexShader() {
+  return "#version 100\n" + shaderText("full_screen.vert");
+}
 
 std::string composeFragmentShader(const ShaderRequest& request) {
   std::string text = "#version 100\n" + shaderText("prelude.glsl") + defines(request);

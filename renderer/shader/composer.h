@@ -1,5 +1,5 @@
-// Writes the fragment shader of a pass from the files in shaders/: those that the pass needs, and of
-// these only what the scene's effects call for.
+// Writes the fragment shader of a pass from the files in shaders/: those that the pass needs, and
+// of these only what the scene's effects call for.
 #pragma once
 
 #include <string>
