@@ -27,6 +27,25 @@ const std::vector<Way>& ways() {
   return kWays;
 }
 
+bool isSoftware(const gl::Context& context) {
+  for (const char* name : {"llvmpipe", "softpipe", "swrast"})
+    if (context.info().renderer.find(name) != std::string::npos) return true;
+  return false;
+}
+
+// A rasteriser in software is used only where no device is there: without a display, a GPU is often
+// found by its device alone.
+std::unique_ptr<gl::Context> preferDevice(std::unique_ptr<gl::Context> context, int gles) {
+  if (!isSoftware(*context)) return context;
+  try {
+    auto device = gl::createEglDeviceContext(gles);
+    if (!isSoftware(*device)) return device;
+  } catch (const Error&) {  // then software it is
+  }
+  context->makeCurrent();
+  return context;
+}
+
 }  // namespace
 
 ContextHandle::ContextHandle(std::unique_ptr<gl::Context> context) : context_(std::move(context)) {}
@@ -43,7 +62,9 @@ ContextHandle createOffscreenContext(Backend backend, int gles) {
   for (const Way& way : ways()) {
     if (backend != Backend::automatic && backend != way.backend) continue;
     try {
-      return ContextHandle(way.create(gles));
+      auto context = way.create(gles);
+      if (backend == Backend::automatic) context = preferDevice(std::move(context), gles);
+      return ContextHandle(std::move(context));
     } catch (const Error& error) {
       reasons += fmt::format("{}{}: {}", reasons.empty() ? "" : "; ", way.name, error.what());
     }

@@ -37,7 +37,8 @@ class ContextHandle {
   std::unique_ptr<gl::Context> context_;
 };
 
-// A context without a window, current on this thread. `gles` is 2 or 3.
+// A context without a window, current on this thread. `gles` is 2 or 3. `automatic` prefers a GPU to
+// a rasteriser in software, and EGL to OSMesa.
 // Errors: no_gl, naming every way that was tried and what it answered.
 ContextHandle createOffscreenContext(Backend backend, int gles);
 
