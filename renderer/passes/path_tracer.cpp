@@ -9,8 +9,8 @@
 namespace glimt {
 namespace {
 
-// Bands begin at multiples of this many rows, which is how tiled rasterisers divide a target.
-constexpr int kBandRows = 64;
+// Tiles begin at multiples of this many pixels, which is how tiled rasterisers divide a target.
+constexpr int kTileStep = 64;
 
 // The dimensions of a stage's sample point.
 std::uint32_t dimensionSet(Pass pass, int bounce) {
@@ -62,15 +62,18 @@ void PathTracer::restart() {
   samples_ = 0;
   stage_ = 0;
   row_ = 0;
+  column_ = 0;
 }
 
 bool PathTracer::drawTile(double pixels) {
   const Stage stage = stages_[stage_];
-  if (row_ == 0) beginStage(stage);
-  const int bands = std::max(1, static_cast<int>(pixels / film_.width() / kBandRows));
-  const int rows = std::min(bands * kBandRows, film_.height() - row_);
-  drawStage(stage, {0, row_, film_.width(), rows});
-  row_ += rows;
+  if (row_ == 0 && column_ == 0) beginStage(stage);
+  const gl::Tile tile = nextTile(pixels);
+  drawStage(stage, tile);
+  column_ += tile.width;
+  if (column_ < film_.width()) return false;
+  column_ = 0;
+  row_ += tile.height;
   if (row_ < film_.height()) return false;
 
   endStage(stage);
@@ -80,6 +83,18 @@ bool PathTracer::drawTile(double pixels) {
   ++samples_;
   rays_counted_ = true;
   return true;
+}
+
+// As many whole rows as there may be pixels, or a part of the least number of rows.
+gl::Tile PathTracer::nextTile(double pixels) const {
+  const auto steps = [](double n) {
+    return kTileStep * std::max(1, static_cast<int>(n / kTileStep));
+  };
+  const bool whole_rows = column_ == 0 && pixels >= static_cast<double>(film_.width()) * kTileStep;
+  const int rows = whole_rows ? steps(pixels / film_.width()) : kTileStep;
+  const int columns = whole_rows ? film_.width() : steps(pixels / kTileStep);
+  return {column_, row_, std::min(columns, film_.width() - column_),
+          std::min(rows, film_.height() - row_)};
 }
 
 void PathTracer::beginStage(const Stage& stage) {

@@ -54,6 +54,7 @@ class PathTracer {
 
   gl::Program& program(Pass pass) { return programs_.at(pass); }
   void compile(const Scene& scene, const std::string& traversal);
+  gl::Tile nextTile(double pixels) const;
   void beginStage(const Stage& stage);
   void drawStage(const Stage& stage, const gl::Tile& tile);
   void endStage(const Stage& stage);
@@ -76,7 +77,8 @@ class PathTracer {
   // Where the work stands.
   int samples_ = 0;
   std::size_t stage_ = 0;
-  int row_ = 0;  // the first that is not drawn yet
+  int row_ = 0;  // of the stage, the first pixel that is not drawn yet
+  int column_ = 0;
 };
 
 }  // namespace glimt
