@@ -15,6 +15,7 @@ vec2 pixelCenter() {
   return center;
 }
 
+// Once, and under no condition: Mesa would choose between the values in 16 bits after all.
 void writeTexel(vec4 texel) {
   gl_FragColor = texel + uZero;
 }

@@ -1,0 +1,37 @@
+// The pure files of shaders/ in double precision: the yardstick of their rounding errors.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace glimt::glsl_double {
+
+#include "tests/shader/glsl_names.inc"
+
+using vec2 = glm::dvec2;
+using vec3 = glm::dvec3;
+using vec4 = glm::dvec4;
+
+// The shaders' functions are not inline, so every file that includes this gets its own.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#define float double
+namespace {
+// A file comes after those that it calls.
+// clang-format off
+#include "shaders/constants.glsl"
+#include "shaders/float_fields.glsl"
+#include "shaders/octahedral.glsl"
+#include "shaders/hit_record.glsl"
+#include "shaders/triangle.glsl"
+#include "shaders/frame.glsl"
+#include "shaders/warp.glsl"
+#include "shaders/lambert.glsl"
+#include "shaders/ray_origin.glsl"
+#include "shaders/multiple_importance.glsl"
+#include "shaders/display_transform.glsl"
+// clang-format on
+}  // namespace
+#undef float
+#pragma GCC diagnostic pop
+
+}  // namespace glimt::glsl_double
