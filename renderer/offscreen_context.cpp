@@ -39,7 +39,11 @@ std::unique_ptr<gl::Context> preferDevice(std::unique_ptr<gl::Context> context, 
   if (!isSoftware(*context)) return context;
   try {
     auto device = gl::createEglDeviceContext(gles);
-    if (!isSoftware(*device)) return device;
+    if (!isSoftware(*device)) {
+      context.reset();
+      device->makeCurrent();
+      return device;
+    }
   } catch (const Error&) {  // then software it is
   }
   context->makeCurrent();
@@ -63,7 +67,7 @@ ContextHandle createOffscreenContext(Backend backend, int gles) {
     if (backend != Backend::automatic && backend != way.backend) continue;
     try {
       auto context = way.create(gles);
-      if (backend == Backend::automatic) context = preferDevice(std::move(context), gles);
+      if (way.backend == Backend::egl) context = preferDevice(std::move(context), gles);
       return ContextHandle(std::move(context));
     } catch (const Error& error) {
       reasons += fmt::format("{}{}: {}", reasons.empty() ? "" : "; ", way.name, error.what());

@@ -14,8 +14,17 @@ namespace {
 // that starting it costs nothing.
 constexpr double kDrawSeconds = 0.03;
 
+// Keeps the arithmetic sound where a clock is coarse.
+constexpr double kLeastSecondsPerPixel = 1e-11;
+
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::array<double, 5> filled(double value) {
+  std::array<double, 5> values;
+  values.fill(value);
+  return values;
 }
 
 PathTracerSettings pathTracerSettings(const RenderSettings& settings) {
@@ -36,15 +45,16 @@ class Renderer::State {
     tracer.resize(settings.width, settings.height);
   }
 
-  // Draws a tile and learns from the time it took how large the next may be.
-  bool drawTile() {
+  // Draws a tile, and learns from the time it took how large the next of its pass may be.
+  void drawTile() {
+    double& cost = seconds_per_pixel_[static_cast<std::size_t>(tracer.nextPass())];
     const double start = now();
-    const bool sample_complete = tracer.drawTile(pixels_per_draw_);
+    const double pixels = tracer.drawTile(kDrawSeconds / cost);
     device.gl().Finish();
-    const double seconds = std::max(now() - start, 1e-6);
-    pixels_per_draw_ *= std::clamp(kDrawSeconds / seconds, 0.25, 2.0);
-    pixels_per_draw_ = std::clamp(pixels_per_draw_, 4096.0, 1e9);
-    return sample_complete;
+    const double seconds = now() - start;
+    // Half of the last: later bounces of the same pass have fewer paths, and the next sample begins
+    // with all of them.
+    cost = std::max({seconds / pixels, 0.5 * cost, kLeastSecondsPerPixel});
   }
 
   void drawDisplay(int width, int height, float exposure) {
@@ -66,7 +76,8 @@ class Renderer::State {
 
  private:
   std::optional<gl::Program> display_;
-  double pixels_per_draw_ = 65536;
+  // For each pass; at first a guess that is slow enough.
+  std::array<double, 5> seconds_per_pixel_ = filled(kDrawSeconds / 16384);
 };
 
 Renderer::Renderer(ContextHandle& context, const Scene& scene, const RenderSettings& settings)
@@ -84,8 +95,8 @@ void Renderer::resize(int width, int height) {
 }
 
 void Renderer::renderSample() {
-  while (!state_->drawTile()) {
-  }
+  const int before = samples();
+  while (samples() == before) state_->drawTile();
 }
 
 void Renderer::advance(double seconds, int most_samples) {

@@ -37,9 +37,9 @@ class ContextHandle {
   std::unique_ptr<gl::Context> context_;
 };
 
-// A context without a window, current on this thread. `gles` is 2 or 3. `automatic` prefers a GPU to
-// a rasteriser in software, and EGL to OSMesa.
-// Errors: no_gl, naming every way that was tried and what it answered.
+// A context without a window, current on this thread. `gles` is 2 or 3. `automatic` prefers a GPU
+// to a rasteriser in software, and EGL to OSMesa. Errors: no_gl, naming every way that was tried
+// and what it answered.
 ContextHandle createOffscreenContext(Backend backend, int gles);
 
 // The context that a window library has made current on this thread.
@@ -63,7 +63,8 @@ struct RenderStatistics {
   std::size_t texture_bytes = 0;  // geometry, tree and materials on the GPU
   double bvh_seconds = 0;
   double compile_seconds = 0;
-  // Rays per picture of one sample, counted in the first one. Shadow rays are those that were cast.
+  // Rays per picture of one sample, counted in the first one. Shadow rays
+  // are counted as one for each hit: some are not cast, since no light can arrive.
   double camera_rays = 0;
   double bounce_rays = 0;
   double shadow_rays = 0;

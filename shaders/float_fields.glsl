@@ -12,30 +12,36 @@
 const float MANTISSA_RANGE = 8388608.0;
 const float EXPONENT_RANGE = 128.0;
 
+// `power` where the bit is 1, and 1 where it is 0. Not mix(), which a driver may calculate as
+// x + bit * (y - x): small powers would be lost.
+vec4 powerWhere(vec4 bit, float power) {
+  return bit * power + (1.0 - bit);
+}
+
 // 2^exponent for whole exponents in [-64, 64).
 vec4 powerOfTwo(vec4 exponent) {
   vec4 rest = exponent + 64.0;
   vec4 power = vec4(5.421010862427522e-20);
   vec4 bit = step(64.0, rest);
   rest -= 64.0 * bit;
-  power *= mix(vec4(1.0), vec4(18446744073709551616.0), bit);
+  power *= powerWhere(bit, 18446744073709551616.0);
   bit = step(32.0, rest);
   rest -= 32.0 * bit;
-  power *= mix(vec4(1.0), vec4(4294967296.0), bit);
+  power *= powerWhere(bit, 4294967296.0);
   bit = step(16.0, rest);
   rest -= 16.0 * bit;
-  power *= mix(vec4(1.0), vec4(65536.0), bit);
+  power *= powerWhere(bit, 65536.0);
   bit = step(8.0, rest);
   rest -= 8.0 * bit;
-  power *= mix(vec4(1.0), vec4(256.0), bit);
+  power *= powerWhere(bit, 256.0);
   bit = step(4.0, rest);
   rest -= 4.0 * bit;
-  power *= mix(vec4(1.0), vec4(16.0), bit);
+  power *= powerWhere(bit, 16.0);
   bit = step(2.0, rest);
   rest -= 2.0 * bit;
-  power *= mix(vec4(1.0), vec4(4.0), bit);
+  power *= powerWhere(bit, 4.0);
   bit = step(1.0, rest);
-  return power * mix(vec4(1.0), vec4(2.0), bit);
+  return power * powerWhere(bit, 2.0);
 }
 
 struct FloatFields {
@@ -53,24 +59,24 @@ FloatFields splitFields(vec4 value) {
   vec4 rest = value;
   vec4 bit = step(8388608.0, rest);
   exponent += 64.0 * bit;
-  rest *= mix(vec4(1.0), vec4(5.421010862427522e-20), bit);
+  rest *= powerWhere(bit, 5.421010862427522e-20);
   bit = step(0.001953125, rest);
   exponent += 32.0 * bit;
-  rest *= mix(vec4(1.0), vec4(2.3283064365386963e-10), bit);
+  rest *= powerWhere(bit, 2.3283064365386963e-10);
   bit = step(2.9802322387695312e-8, rest);
   exponent += 16.0 * bit;
-  rest *= mix(vec4(1.0), vec4(1.52587890625e-5), bit);
+  rest *= powerWhere(bit, 1.52587890625e-5);
   bit = step(1.1641532182693481e-10, rest);
   exponent += 8.0 * bit;
-  rest *= mix(vec4(1.0), vec4(0.00390625), bit);
+  rest *= powerWhere(bit, 0.00390625);
   bit = step(7.275957614183426e-12, rest);
   exponent += 4.0 * bit;
-  rest *= mix(vec4(1.0), vec4(0.0625), bit);
+  rest *= powerWhere(bit, 0.0625);
   bit = step(1.8189894035458565e-12, rest);
   exponent += 2.0 * bit;
-  rest *= mix(vec4(1.0), vec4(0.25), bit);
+  rest *= powerWhere(bit, 0.25);
   bit = step(9.094947017729282e-13, rest);
   exponent += bit;
-  rest *= mix(vec4(1.0), vec4(0.5), bit);
+  rest *= powerWhere(bit, 0.5);
   return FloatFields(rest * 18446744073709551616.0 - MANTISSA_RANGE, exponent);
 }

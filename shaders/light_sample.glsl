@@ -1,6 +1,7 @@
 // One sample of the light that arrives at a surface. Dispatches on the scene's effects.
 struct LightSample {
-  vec3 to;         // from the surface to the light: what a shadow ray has to pass
+  vec3 to;         // from the surface towards the light;
+  float far;       // so many times `to` is what a shadow ray has to pass
   vec3 direction;  // unit
   vec3 radiance;
   float pdf;       // per solid angle, of choosing this light and this direction
@@ -19,8 +20,8 @@ LightSample sampleTriangleLight(vec3 origin, float choice, vec2 random) {
   float cosine = -dot(direction, normal);
   if (emission.both_sides) cosine = abs(cosine);
   vec3 facing = dot(normal, to) > 0.0 ? -normal : normal;
-  vec3 end = leaveSurface(point, facing, largestCoordinate(data.v0, data.v1, data.v2));
-  return LightSample(end - origin, direction, emission.radiance,
+  vec3 end = leaveSurface(point, facing, errorScale(data.v0, data.v1, data.v2));
+  return LightSample(end - origin, 1.0, direction, emission.radiance,
                      emission.density * distance2 / max(cosine, 1.0e-7), cosine > 1.0e-7);
 }
 #endif
@@ -29,7 +30,7 @@ LightSample sampleTriangleLight(vec3 origin, float choice, vec2 random) {
 LightSample sampleEnvironment(Surface surface, vec2 random) {
   vec3 local = sampleCosineHemisphere(random);
   vec3 direction = fromFrame(frameAround(surface.normal), local);
-  return LightSample(direction * FAR_AWAY, direction, environmentRadiance(direction),
+  return LightSample(direction, FAR_AWAY, direction, environmentRadiance(direction),
                      environmentPdf(local), local.z > 0.0);
 }
 #endif

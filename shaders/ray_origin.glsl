@@ -1,9 +1,9 @@
 // Where a ray that leaves a surface starts.
 
-// By what the rounding errors of a triangle's points are bounded, up to a constant: its largest
+// What the rounding errors of a triangle's points are in proportion to, in metres: its largest
 // coordinate, or more where it is so thin that its normal, and with it the distance of a point from
 // its plane, is inexact.
-float largestCoordinate(vec3 v0, vec3 v1, vec3 v2) {
+float errorScale(vec3 v0, vec3 v1, vec3 v2) {
   vec3 largest = max(abs(v0), max(abs(v1), abs(v2)));
   vec3 a = v1 - v0;
   vec3 b = v2 - v0;
@@ -15,9 +15,8 @@ float largestCoordinate(vec3 v0, vec3 v1, vec3 v2) {
   return max(inexact, max(largest.x, max(largest.y, largest.z)));
 }
 
-// A point rebuilt from barycentric weights is off its triangle by some roundings of the largest
-// coordinate, and so is the distance at which a ray meets the triangle again. 2^-20 is sixteen of
-// them. `normal` is unit and points to the side on which the ray goes on.
-vec3 leaveSurface(vec3 point, vec3 normal, float largest_coordinate) {
-  return point + normal * (largest_coordinate * 9.5367431640625e-7);
+// A point rebuilt from barycentric weights is off its triangle by some roundings of that scale, and
+// so is the distance at which a ray meets the triangle again. 2^-20 is sixteen of them. `normal` is unit and points to the side on which the ray goes on.
+vec3 leaveSurface(vec3 point, vec3 normal, float error_scale) {
+  return point + normal * (error_scale * 9.5367431640625e-7);
 }

@@ -4,7 +4,7 @@ struct Surface {
   vec3 position;
   vec3 geometric;  // unit normal of the triangle, on the side where the path arrived
   vec3 normal;     // the same for shading
-  float largest_coordinate;
+  float error_scale;
   float material;
 };
 
@@ -17,5 +17,5 @@ Surface surfaceOf(HitRecord record) {
   shading = fetchNormal(record.triangle, record.uv, normal);
 #endif
   return Surface(interpolate(data.v0, data.v1, data.v2, record.uv), side * normal, side * shading,
-                 largestCoordinate(data.v0, data.v1, data.v2), data.material);
+                 errorScale(data.v0, data.v1, data.v2), data.material);
 }

@@ -24,7 +24,7 @@ PathRay nextRay(vec2 pixel, vec4 random) {
   vec3 direction = fromFrame(frameAround(surface.normal), local);
   // A direction that the shading normal allows may lead into the surface: no light comes from there.
   wanted = wanted && dot(direction, surface.geometric) > 0.0;
-  return PathRay(leaveSurface(surface.position, surface.geometric, surface.largest_coordinate),
+  return PathRay(leaveSurface(surface.position, surface.geometric, surface.error_scale),
                  direction, record.throughput * fetchBaseColor(surface.material),
                  pdfLambert(local), wanted);
 }

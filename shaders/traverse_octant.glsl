@@ -90,18 +90,18 @@ Hit closestHit(vec3 origin, vec3 direction, bool wanted) {
   return hit;
 }
 
-// 1 where nothing stands between the origin and the origin plus the direction, 0 where something
-// does, negative where the traversal was cut short.
-float visibility(vec3 origin, vec3 direction, bool wanted) {
+// 1 where nothing stands between the origin and `far` times the direction from there, 0 where
+// something does, negative where the traversal was cut short.
+float visibility(vec3 origin, vec3 direction, float far, bool wanted) {
   Walk walk = startWalk(origin, direction, wanted);
   bool blocked = false;
   for (int i = 0; i < MAX_STEPS; i++) {
-    walkToLeaf(walk, 1.0);
+    walkToLeaf(walk, far);
     if (walk.link >= 0.0) break;
     float index = -1.0 - walk.link;
     for (int k = 0; k < MAX_STEPS; k++) {
       TriangleData data = fetchTriangle(index);
-      blocked = intersectTriangle(origin, direction, data.v0, data.v1, data.v2, 1.0).t >= 0.0;
+      blocked = intersectTriangle(origin, direction, data.v0, data.v1, data.v2, far).t >= 0.0;
       if (blocked || data.last) break;
       index += 1.0;
     }

@@ -32,6 +32,8 @@ struct Egl {
       require<decltype(&eglCreatePbufferSurface)>("eglCreatePbufferSurface");
   decltype(&eglDestroySurface) destroySurface =
       require<decltype(&eglDestroySurface)>("eglDestroySurface");
+  decltype(&eglGetCurrentContext) getCurrentContext =
+      require<decltype(&eglGetCurrentContext)>("eglGetCurrentContext");
   decltype(&eglMakeCurrent) makeCurrent = require<decltype(&eglMakeCurrent)>("eglMakeCurrent");
 
   template <class Function>
@@ -96,7 +98,9 @@ class EglContext final : public Context {
   }
 
   void destroy() {
-    egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    // Another context may have become current since: that one stays.
+    if (egl_.getCurrentContext() == context_)
+      egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (surface_ != EGL_NO_SURFACE) egl_.destroySurface(display_, surface_);
     if (context_ != EGL_NO_CONTEXT) egl_.destroyContext(display_, context_);
     // The display itself is shared by everyone in the process who asks for the same one, so it is

@@ -19,21 +19,16 @@ void checkSize(const gl::Device& device, int width, int height) {
 
 }  // namespace
 
-TargetPair::TargetPair(const gl::Device& device, int width, int height) {
-  for (gl::Target& target : targets_) {
-    target = gl::Target(gl::Texture::floats(device.gl(), device.floatForm(), width, height));
-    target.clear();
-  }
-}
-
-void TargetPair::clear() {
-  for (gl::Target& target : targets_) target.clear();
+TargetPair::TargetPair(const gl::Device& device, int width, int height, bool both) {
+  for (std::size_t i = 0; i < (both ? 2 : 1); ++i)
+    targets_[i] = gl::Target(gl::Texture::floats(device.gl(), device.floatForm(), width, height));
+  clear();
 }
 
 Film::Film(const gl::Device& device, int width, int height) {
   checkSize(device, width, height);
   record = TargetPair(device, width, height);
-  radiance = TargetPair(device, width, height);
+  radiance = TargetPair(device, width, height, !device.floatBlending());
   mean = TargetPair(device, width, height);
 }
 

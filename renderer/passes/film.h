@@ -7,16 +7,16 @@
 
 namespace glimt {
 
-// Two targets, one to read and one to write, which change places.
+// Two targets, one to read and one to write, which change places. Or only the one to read.
 class TargetPair {
  public:
   TargetPair() = default;
-  TargetPair(const gl::Device& device, int width, int height);
+  TargetPair(const gl::Device& device, int width, int height, bool both = true);
 
   const gl::Target& front() const { return targets_[front_]; }     // to read
   const gl::Target& back() const { return targets_[1 - front_]; }  // to write
   void swap() { front_ = 1 - front_; }
-  void clear();
+  void clear() const { front().clear(); }
 
  private:
   std::array<gl::Target, 2> targets_;
@@ -32,7 +32,7 @@ struct Film {
   int height() const { return mean.front().height(); }
 
   TargetPair record;    // hit records of this bounce and of the next
-  TargetPair radiance;  // of this sample; the back one only where the device cannot blend floats
+  TargetPair radiance;  // of this sample; two only where the device cannot blend floats
   TargetPair mean;      // mean of the samples so far; their number in the fourth channel
 };
 

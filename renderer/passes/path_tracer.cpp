@@ -1,6 +1,7 @@
 #include "renderer/passes/path_tracer.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 
@@ -15,6 +16,14 @@ constexpr int kTileStep = 64;
 // The dimensions of a stage's sample point.
 std::uint32_t dimensionSet(Pass pass, int bounce) {
   return 2 * static_cast<std::uint32_t>(bounce) + (pass == Pass::light ? 1 : 0);
+}
+
+// Whether a hit record is of a path that has met a triangle; see shaders/hit_record.glsl, whose
+// first channel holds the triangle in its mantissa.
+bool isHit(const Vec4& record) {
+  constexpr std::uint32_t kMantissa = (1u << 23) - 1;
+  constexpr std::uint32_t kUnknown = kMantissa - 1;
+  return record.x != 0 && (std::bit_cast<std::uint32_t>(record.x) & kMantissa) < kUnknown;
 }
 
 }  // namespace
@@ -65,24 +74,23 @@ void PathTracer::restart() {
   column_ = 0;
 }
 
-bool PathTracer::drawTile(double pixels) {
+double PathTracer::drawTile(double pixels) {
   const Stage stage = stages_[stage_];
   if (row_ == 0 && column_ == 0) beginStage(stage);
   const gl::Tile tile = nextTile(pixels);
   drawStage(stage, tile);
   column_ += tile.width;
-  if (column_ < film_.width()) return false;
-  column_ = 0;
-  row_ += tile.height;
-  if (row_ < film_.height()) return false;
-
-  endStage(stage);
-  row_ = 0;
-  stage_ = (stage_ + 1) % stages_.size();
-  if (stage_ != 0) return false;
-  ++samples_;
-  rays_counted_ = true;
-  return true;
+  if (column_ == film_.width()) {
+    column_ = 0;
+    row_ += tile.height;
+  }
+  if (row_ == film_.height()) {
+    row_ = 0;
+    endStage(stage);
+    stage_ = (stage_ + 1) % stages_.size();
+    if (stage_ == 0) ++samples_;
+  }
+  return static_cast<double>(tile.width) * tile.height;
 }
 
 // As many whole rows as there may be pixels, or a part of the least number of rows.
@@ -146,11 +154,12 @@ void PathTracer::endStage(const Stage& stage) {
 
 void PathTracer::countRays(const Stage& stage) {
   const std::vector<Vec4> records = film_.record.front().readFloats();
-  const auto live = static_cast<double>(
-      std::count_if(records.begin(), records.end(), [](const Vec4& r) { return r.x != 0; }));
-  if (stage.pass == Pass::camera) rays_.camera = static_cast<double>(records.size());
-  if (stage.bounce < stages_[stages_.size() - 2].bounce) rays_.bounce += live;
-  rays_.shadow += live;
+  const auto hits = static_cast<double>(std::count_if(records.begin(), records.end(), isHit));
+  const bool last = stage.bounce == stages_[stages_.size() - 2].bounce;
+  if (stage.pass == Pass::camera) rays_ = {static_cast<double>(records.size()), 0, 0};
+  if (!last) rays_.bounce += hits;
+  rays_.shadow += hits;
+  rays_counted_ = last;
 }
 
 void PathTracer::bindSamplePoint(gl::Program& program, const Stage& stage) const {

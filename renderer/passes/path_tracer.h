@@ -36,8 +36,11 @@ class PathTracer {
   // Forgets all samples.
   void restart();
 
-  // One draw, of at most about `pixels` pixels. True when it completed a sample.
-  bool drawTile(double pixels);
+  // The pass that the next draw belongs to.
+  Pass nextPass() const { return stages_[stage_].pass; }
+
+  // One draw, of at most about `pixels` pixels. Returns how many they were.
+  double drawTile(double pixels);
 
   int samples() const { return samples_; }
   const Film& film() const { return film_; }

@@ -14,8 +14,9 @@
 namespace glimt {
 namespace {
 
-// Two values of the hit record's 23 bits mean something else; see shaders/hit_record.glsl.
-constexpr std::size_t kMaxTriangles = (std::size_t{1} << 23) - 2;
+// More do not fit into a texture; see data_texture.cpp. The hit record's 23 bits would hold them.
+constexpr std::size_t kMaxTriangles =
+    (std::size_t{1} << 23) / static_cast<std::size_t>(TRIANGLE_TEXELS);
 
 std::vector<Bounds> boundsOf(const Scene& scene) {
   std::vector<Bounds> boxes;

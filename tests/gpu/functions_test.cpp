@@ -17,7 +17,7 @@ using test::Random;
 
 namespace {
 
-constexpr std::size_t kCount = 100000;
+constexpr std::size_t kCount = 30000;
 
 const std::vector<std::string> kFiles{"constants.glsl",
                                       "float_fields.glsl",

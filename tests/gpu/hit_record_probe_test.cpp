@@ -15,7 +15,7 @@ using glsl_float::HitRecord;
 
 namespace {
 
-constexpr std::size_t kCount = 200000;
+constexpr std::size_t kCount = 60000;
 
 const std::vector<std::string> kFiles{"constants.glsl", "float_fields.glsl", "octahedral.glsl",
                                       "hit_record.glsl"};

@@ -15,7 +15,7 @@ vec4 probe(vec4 origin, vec4 direction) {
 
 const std::string kVisibility = R"(
 vec4 probe(vec4 origin, vec4 direction) {
-  return vec4(visibility(origin.xyz, direction.xyz, true), 0.0, 0.0, 0.0);
+  return vec4(visibility(origin.xyz, direction.xyz, 1.0, true), 0.0, 0.0, 0.0);
 })";
 
 // In the order of renderer/shader/composer.cpp.

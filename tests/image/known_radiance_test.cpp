@@ -39,6 +39,20 @@ TEST_CASE(
   CHECK(mean.b == Approx(0.2).epsilon(0.001));
 }
 
+TEST_CASE("an even environment lights a floor alike at every scale") {
+  const float scale = GENERATE(1e-4f, 1e-2f, 1.0f, 1e2f, 1e4f, 1e6f);
+  Scene scene;
+  const std::uint32_t white = add(scene, lambert("white", Vec3(0.8f)));
+  addQuad(scene, scale * Vec3(-1, 0, 1), scale * Vec3(2, 0, 0), scale * Vec3(0, 0, -2), white);
+  addQuad(scene, scale * Vec3(3, 0, 1), scale * Vec3(0, 1, 0), scale * Vec3(0, 0, -2),
+          add(scene, lambert("black", Vec3(0))));
+  scene.environment.color = Vec3(1);
+  scene.camera.position = scale * Vec3(-0.5f, 1, 0.1f);
+  scene.camera.target = scale * Vec3(-0.5f, 0, 0);
+  scene.camera.vertical_fov = 20;
+  CHECK(meanOf(render(scene, settingsFor(32, 0), 64)).g == Approx(0.8).epsilon(0.02));
+}
+
 TEST_CASE("an environment and a shell of the same radiance around everything light a body alike") {
   Scene scene;
   addSphere(scene, 1, 2, add(scene, lambert("body", Vec3(0.7f))));

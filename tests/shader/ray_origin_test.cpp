@@ -49,8 +49,8 @@ Counts countSelfHits(float thinnest) {
     const float side = random.below(2) ? 1.0f : -1.0f;
     const vec3 normal = side * normalize(cross_product);
     const vec2 uv = uvOfCell(uvCell(random.weights(), random.square()));
-    const vec3 origin = leaveSurface(interpolate(t.v0, t.v1, t.v2, uv), normal,
-                                     largestCoordinate(t.v0, t.v1, t.v2));
+    const vec3 origin =
+        leaveSurface(interpolate(t.v0, t.v1, t.v2, uv), normal, errorScale(t.v0, t.v1, t.v2));
     for (int k = 0; k < 4; ++k) {
       const vec3 direction = leavingDirection(random, normal, random.logUniform(1e-3f, 1.57f));
       const TriangleHit hit = intersectTriangle(origin, direction, t.v0, t.v1, t.v2, FAR_AWAY);
