@@ -1,8 +1,8 @@
 // The texel layout, written once: this file is read by C++ and by GLSL, so it holds nothing but
 // definitions. Counts are texels of four floats.
 
-// Nodes, one copy of the tree for each of the eight ray octants; see traverse_octant.glsl. One texel
-// each. Boxes are on a grid over the scene: whole coordinates below NODE_GRID.
+// Nodes, one copy of the tree for each of the eight ray octants; see traverse_octant.glsl. One
+// texel each. Boxes are on a grid over the scene: whole coordinates below NODE_GRID.
 //   enter + NODE_GRID * leave, for x, y, z: of the corners where a ray enters and leaves the box;
 //   an inner node: index of the node that follows when its box is missed; a leaf: -1 - index of its
 //   first triangle; the node at the end: 0
@@ -21,14 +21,14 @@
 
 // Materials.
 //   0: base colour r, g, b; free
-//   1: emission r, g, b; density of light samples on the surface, per square metre, negative if both
+//   1: emission r, g, b; density of light samples on the surface, per square metre, negative if
+//   both
 //      sides emit
 #define MATERIAL_TEXELS 2.0
 
 // Lights, an alias table; see light_table.glsl. One texel each:
 //   share of the entry that goes to its own triangle, index of that, index of the other one, free
 #define LIGHT_TEXELS 1.0
-
 
 // Side of the square texture of sampling offsets, which is repeated over the picture.
 #define OFFSETS_SIZE 256.0

@@ -9,8 +9,8 @@ namespace {
 
 constexpr int kBins = 32;
 
-// What a step into a node costs, in units of one triangle: it reads one texel where a triangle reads
-// three, and calculates less.
+// What a step into a node costs, in units of one triangle: it reads one texel where a triangle
+// reads three, and calculates less.
 constexpr float kNodeCost = 0.6f;
 
 struct Bin {
