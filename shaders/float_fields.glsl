@@ -10,7 +10,6 @@
 // powers of two, which is exact.
 
 const float MANTISSA_RANGE = 8388608.0;
-const float EXPONENT_RANGE = 128.0;
 
 // `power` where the bit is 1, and 1 where it is 0. Not mix(), which a driver may calculate as
 // x + bit * (y - x): small powers would be lost.

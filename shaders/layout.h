@@ -21,14 +21,12 @@
 
 // Materials.
 //   0: base colour r, g, b; free
-//   1: emission r, g, b; density of light samples on the surface, per square metre, negative if
-//   both
-//      sides emit
+//   1: emission r, g, b; density of light samples on the surface, per square metre, negative where
+//   both sides emit
 #define MATERIAL_TEXELS 2.0
 
 // Lights, an alias table; see light_table.glsl. One texel each:
 //   share of the entry that goes to its own triangle, index of that, index of the other one, free
-#define LIGHT_TEXELS 1.0
 
 // Side of the square texture of sampling offsets, which is repeated over the picture.
 #define OFFSETS_SIZE 256.0
