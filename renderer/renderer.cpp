@@ -27,10 +27,17 @@ std::array<double, 5> filled(double value) {
   return values;
 }
 
-PathTracerSettings pathTracerSettings(const RenderSettings& settings) {
-  const std::string traversal =
-      settings.traversal == "auto" ? traversalNames().front() : settings.traversal;
-  return {settings.bounces, settings.seed, traversal};
+// Eight copies of the tree pay while they fit: above this many triangles one copy is enough memory.
+constexpr std::size_t kMostTrianglesForOctants = 500000;
+
+std::string chosenTraversal(const std::string& asked, std::size_t triangles) {
+  if (asked != "auto") return asked;
+  return triangles <= kMostTrianglesForOctants ? "octant-ahead" : "stack";
+}
+
+PathTracerSettings pathTracerSettings(const RenderSettings& settings, const Scene& scene) {
+  return {settings.bounces, settings.seed,
+          chosenTraversal(settings.traversal, scene.triangles.size())};
 }
 
 }  // namespace
@@ -39,9 +46,9 @@ class Renderer::State {
  public:
   State(gl::Context& context, const Scene& scene, const RenderSettings& settings)
       : device(context),
-        traversal(pathTracerSettings(settings).traversal),
+        traversal(pathTracerSettings(settings, scene).traversal),
         triangles(scene.triangles.size()),
-        tracer(device, scene, pathTracerSettings(settings)) {
+        tracer(device, scene, pathTracerSettings(settings, scene)) {
     tracer.resize(settings.width, settings.height);
   }
 

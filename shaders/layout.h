@@ -1,12 +1,23 @@
 // The texel layout, written once: this file is read by C++ and by GLSL, so it holds nothing but
 // definitions. Counts are texels of four floats.
 
-// Nodes, one copy of the tree for each of the eight ray octants; see traverse_octant.glsl. One
-// texel each. Boxes are on a grid over the scene: whole coordinates below NODE_GRID.
-//   enter + NODE_GRID * leave, for x, y, z: of the corners where a ray enters and leaves the box;
-//   an inner node: index of the node that follows when its box is missed; a leaf: -1 - index of its
-//   first triangle; the node at the end: 0
+// Nodes of the tree, one texel each. Boxes are on a grid over the scene: whole coordinates below
+// NODE_GRID, two packed into one float as first + NODE_GRID * second.
+//
+// In depth-first order, ended by one more node (octant_nodes.glsl, traverse_skip.glsl). For ray
+// octants there are eight copies, in which `first` is the corner where a ray enters.
+//   x, y, z: the box; an inner node: index of the node that follows when its box is missed; a leaf:
+//   -1 - index of its first triangle; the node at the end: 0
+//
+// In pairs (traverse_stack.glsl): the children of a node side by side. The root is the first of the
+// pair at ROOT_PAIR, whose second has the same box and the link 0, which is the end.
+//   x, y, z: the box; an inner node: index of its first child; a leaf: -1 - index of its first
+//   triangle
 #define NODE_GRID 4096.0
+#define ROOT_PAIR 2.0
+
+// Places on the stack of traverse_stack.glsl.
+#define STACK_SIZE 24
 
 // Triangles in leaf order; see triangle_data.glsl.
 //   0: vertex 0 x, y, z; 1 + material index, negative for the last triangle of a leaf

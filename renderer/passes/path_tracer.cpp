@@ -32,7 +32,7 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
                        const PathTracerSettings& settings)
     : device_(&device),
       points_(settings.seed),
-      scene_(device, scene),
+      scene_(device, scene, traversalNamed(settings.traversal).layout),
       offsets_(points_.makeOffsets(device)),
       camera_(scene.camera) {
   compile(scene, settings.traversal);

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "renderer/bvh/octant_layout.h"
+#include "renderer/bvh/node_layout.h"
 #include "renderer/core/error.h"
 #include "renderer/passes/data_texture.h"
 #include "renderer/passes/light_table.h"
@@ -100,6 +100,30 @@ float environmentShare(const Scene& scene, const LightTable& lights) {
   return environment ? (triangles ? 0.5f : 1.0f) : 0.0f;
 }
 
+NodeLayout layOut(const Bvh& bvh, TreeLayout layout) {
+  switch (layout) {
+    case TreeLayout::octants:
+      return layOutOctants(bvh);
+    case TreeLayout::once:
+      return layOutOnce(bvh);
+    case TreeLayout::pairs:
+      return layOutPairs(bvh);
+    case TreeLayout::none:
+      break;
+  }
+  return {};
+}
+
+void checkStack(const Bvh& bvh) {
+  const std::size_t size = stackSizeOf(bvh);
+  if (size > STACK_SIZE)
+    throw Error(
+        ErrorKind::input,
+        fmt::format("the scene's tree needs a stack of {} places, and traversal 'stack' has "
+                    "{}; use --traversal skip",
+                    size, STACK_SIZE));
+}
+
 void bindData(gl::Program& program, const std::string& name, const gl::Texture& texture) {
   program.set(name, texture);
   const auto width = static_cast<float>(texture.width());
@@ -108,18 +132,19 @@ void bindData(gl::Program& program, const std::string& name, const gl::Texture& 
 
 }  // namespace
 
-SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene) {
+SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene, TreeLayout layout) {
   if (scene.triangles.size() > kMaxTriangles)
     throw Error(ErrorKind::input, fmt::format("the scene has {} triangles, and {} is the most that "
                                               "can be rendered; use a smaller model",
                                               scene.triangles.size(), kMaxTriangles));
   const auto start = std::chrono::steady_clock::now();
   const Bvh bvh = buildBvh(boundsOf(scene));
-  OctantLayout octants = layOutOctants(bvh);
+  if (layout == TreeLayout::pairs) checkStack(bvh);
+  NodeLayout nodes = layOut(bvh, layout);
   build_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   const LightTable lights = buildLightTable(scene);
-  nodes_ = makeDataTexture(device, std::move(octants.texels), "tree nodes");
+  nodes_ = makeDataTexture(device, std::move(nodes.texels), "tree nodes");
   triangles_ = makeDataTexture(device, packTriangles(scene, bvh), "triangles");
   materials_ = makeDataTexture(device, packMaterials(scene, lights), "materials");
   lights_ = makeDataTexture(device, packLights(lights, bvh), "lights");
@@ -127,9 +152,10 @@ SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene) {
   normals_ =
       makeDataTexture(device, smooth ? packNormals(scene, bvh) : std::vector<Vec4>(), "normals");
   node_count_ = bvh.nodes.size();
-  nodes_per_octant_ = octants.nodes_per_octant;
-  grid_origin_ = octants.grid_origin;
-  grid_cell_ = octants.grid_cell;
+  nodes_per_copy_ = nodes.nodes_per_copy;
+  triangle_count_ = scene.triangles.size();
+  grid_origin_ = nodes.grid_origin;
+  grid_cell_ = nodes.grid_cell;
   light_count_ = lights.entries.size();
   environment_share_ = environmentShare(scene, lights);
   environment_radiance_ = scene.environment.radiance();
@@ -141,7 +167,9 @@ void SceneTextures::bind(gl::Program& program) const {
   bindData(program, "uMaterials", materials_);
   bindData(program, "uNormals", normals_);
   bindData(program, "uLights", lights_);
-  program.set("uNodesPerOctant", static_cast<float>(nodes_per_octant_));
+  program.set("uNodesPerOctant", static_cast<float>(nodes_per_copy_));
+  program.set("uNodeCount", static_cast<float>(nodes_per_copy_));
+  program.set("uTriangleCount", static_cast<float>(triangle_count_));
   program.set("uGridOrigin", grid_origin_);
   program.set("uGridCell", grid_cell_);
   program.set("uLightCount", static_cast<float>(light_count_));

@@ -5,13 +5,15 @@
 #include "renderer/gl/device.h"
 #include "renderer/gl/program.h"
 #include "renderer/scene/scene.h"
+#include "renderer/shader/traversals.h"
 
 namespace glimt {
 
 class SceneTextures {
  public:
-  // Errors: input, when the scene is larger than the device's textures or the hit record can hold.
-  SceneTextures(const gl::Device& device, const Scene& scene);
+  // Errors: input, when the scene is larger than the device's textures or the hit record can hold,
+  // or its tree deeper than the traversal's stack.
+  SceneTextures(const gl::Device& device, const Scene& scene, TreeLayout layout);
 
   // Sets every uniform that speaks of the scene, for the program in use.
   void bind(gl::Program& program) const;
@@ -27,7 +29,8 @@ class SceneTextures {
   gl::Texture materials_;
   gl::Texture lights_;
   std::size_t node_count_ = 0;
-  std::size_t nodes_per_octant_ = 0;
+  std::size_t nodes_per_copy_ = 0;
+  std::size_t triangle_count_ = 0;
   Vec3 grid_origin_{0};
   Vec3 grid_cell_{1};
   std::size_t light_count_ = 0;

@@ -9,6 +9,7 @@
 
 #include "renderer/core/error.h"
 #include "renderer/shader/embedded_files.h"
+#include "renderer/shader/traversals.h"
 
 namespace glimt {
 namespace {
@@ -29,7 +30,7 @@ struct Piece {
   std::optional<Effect> effect;  // left out where the scene does not call for it
 };
 
-// Stands for the file of the traversal that was asked for.
+// Stands for the files of the traversal that was asked for.
 constexpr const char* kTraversal = "traverse_*.glsl";
 
 // In the order in which they are put together: a file comes after those that it calls.
@@ -52,6 +53,8 @@ const auto kPieces = std::to_array<Piece>({
     {"material_data.glsl", kBounces, {}},
     {"normal_data.glsl", kBounces, Effect::smooth_normals},
     {"surface.glsl", kBounces, {}},
+    {"traversal.glsl", kPaths, {}},
+    {"node_data.glsl", kPaths, {}},
     {kTraversal, kPaths, {}},
     {"camera.glsl", kCamera, {}},
     {"light_share.glsl", kBounces, {}},
@@ -65,20 +68,10 @@ const auto kPieces = std::to_array<Piece>({
     {"display.glsl", bit(Pass::display), {}},
 });
 
-struct Traversal {
-  const char* name;
-  const char* file;
-};
-
-constexpr auto kTraversals = std::to_array<Traversal>({
-    {"octant", "traverse_octant.glsl"},
-});
-
-std::string traversalFile(const std::string& name) {
-  for (const Traversal& traversal : kTraversals)
-    if (name == traversal.name) return traversal.file;
-  throw Error(ErrorKind::usage, fmt::format("there is no traversal '{}'; there are: auto, {}", name,
-                                            fmt::join(traversalNames(), ", ")));
+std::string traversalText(const std::string& name) {
+  std::string text;
+  for (const std::string& file : traversalNamed(name).files) text += shaderText(file);
+  return text;
 }
 
 // `#if NAME` needs every name defined, to 1 or to 0.
@@ -101,12 +94,6 @@ std::string nameOf(Pass pass) {
   return kNames[static_cast<std::size_t>(pass)];
 }
 
-std::vector<std::string> traversalNames() {
-  std::vector<std::string> names;
-  for (const Traversal& traversal : kTraversals) names.emplace_back(traversal.name);
-  return names;
-}
-
 std::string shaderText(const std::string& file) {
   for (const EmbeddedFile& embedded : embeddedFiles())
     if (file == embedded.name) return embedded.text;
@@ -122,7 +109,7 @@ std::string composeFragmentShader(const ShaderRequest& request) {
   for (const Piece& piece : kPieces) {
     if (!(piece.passes & bit(request.pass))) continue;
     if (piece.effect && !has(request.effects, *piece.effect)) continue;
-    text += shaderText(piece.file == kTraversal ? traversalFile(request.traversal) : piece.file);
+    text += piece.file == kTraversal ? traversalText(request.traversal) : shaderText(piece.file);
   }
   return text;
 }
@@ -131,6 +118,13 @@ std::string composeProbe(const std::vector<std::string>& files, const std::strin
   std::string shader = "#version 100\n" + shaderText("prelude.glsl");
   for (const std::string& file : files) shader += shaderText(file);
   return shader + text;
+}
+
+std::string composeTraversalProbe(const std::string& traversal, const std::string& text) {
+  return composeProbe({"layout.h", "constants.glsl", "float_fields.glsl", "octahedral.glsl",
+                       "hit_record.glsl", "triangle.glsl", "texel_address.glsl",
+                       "triangle_data.glsl", "traversal.glsl", "node_data.glsl"},
+                      traversalText(traversal) + text);
 }
 
 }  // namespace glimt

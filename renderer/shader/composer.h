@@ -20,15 +20,12 @@ enum class Pass {
 struct ShaderRequest {
   Pass pass = Pass::display;
   EffectSet effects;
-  std::string traversal = "octant";
-  bool additive_blending = true;  // the light pass adds by blending, not by reading
+  std::string traversal = "octant";  // see traversals.h
+  bool additive_blending = true;     // the light pass adds by blending, not by reading
 };
 
 // The name of a pass, for messages.
 std::string nameOf(Pass pass);
-
-// Names that ShaderRequest::traversal takes; the first is the default.
-std::vector<std::string> traversalNames();
 
 // Vertex shader of every pass.
 std::string composeVertexShader();
@@ -39,6 +36,10 @@ std::string composeFragmentShader(const ShaderRequest& request);
 // A fragment shader from the prelude, the named files and some text of the caller's own: for probes
 // of the device and of single functions. Errors: failed, for a file that does not exist.
 std::string composeProbe(const std::vector<std::string>& files, const std::string& text);
+
+// The same with a traversal and what it needs: the text calls closestHit and visibility. Errors:
+// usage, for a traversal that does not exist.
+std::string composeTraversalProbe(const std::string& traversal, const std::string& text);
 
 // The text of a file in shaders/. Errors: failed, if there is none of that name.
 std::string shaderText(const std::string& file);

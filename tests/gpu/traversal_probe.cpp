@@ -18,12 +18,8 @@ vec4 probe(vec4 origin, vec4 direction) {
   return vec4(visibility(origin.xyz, direction.xyz, 1.0, true), 0.0, 0.0, 0.0);
 })";
 
-// In the order of renderer/shader/composer.cpp.
-TraversalProbe::TraversalProbe(const gl::Device& device, const std::string& text)
-    : probe_(device,
-             {"constants.glsl", "float_fields.glsl", "octahedral.glsl", "hit_record.glsl",
-              "triangle.glsl", "texel_address.glsl", "triangle_data.glsl",
-              "traverse_" + traversalNames().front() + ".glsl"},
-             text, 2) {}
+TraversalProbe::TraversalProbe(const gl::Device& device, const std::string& text,
+                               const std::string& traversal)
+    : probe_(device, composeTraversalProbe(traversal, text + probeMain(2))) {}
 
 }  // namespace glimt::test

@@ -23,7 +23,8 @@ extern const std::string kVisibility;
 class TraversalProbe {
  public:
   // `text` is one of the above.
-  TraversalProbe(const gl::Device& device, const std::string& text);
+  TraversalProbe(const gl::Device& device, const std::string& text,
+                 const std::string& traversal = traversals().front().name);
 
   std::vector<Vec4> run(const SceneTextures& scene, const std::vector<std::vector<Vec4>>& rays,
                         int width = 4096) {

@@ -1,0 +1,32 @@
+// The traversals there are. Each is a shader file of its own over one layout of the tree.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace glimt {
+
+// What a traversal finds in the texture of nodes.
+enum class TreeLayout {
+  none,     // it reads no tree
+  octants,  // depth first, eight copies
+  once,     // depth first
+  pairs,    // children side by side
+};
+
+struct Traversal {
+  std::string name;
+  TreeLayout layout;
+  std::vector<std::string> files;  // in the order in which they are put together
+  std::string idea;                // for people, a few words
+};
+
+// All of them, those first that are tried first.
+const std::vector<Traversal>& traversals();
+
+std::vector<std::string> traversalNames();
+
+// Errors: usage, for a traversal that does not exist.
+const Traversal& traversalNamed(const std::string& name);
+
+}  // namespace glimt

@@ -1,0 +1,31 @@
+// What every traversal shares. A traversal is a file traverse_*.glsl that defines
+//
+//   struct Walk { ...; float link; };
+//   Walk startWalk(vec3 origin, vec3 direction, bool wanted);
+//   void walkToLeaf(inout Walk walk, float t);
+//
+// walkToLeaf goes on to the next leaf whose box the ray meets before t. It leaves in `link` what it
+// found: -1 - index of the leaf's first triangle, or 0 at the end, or anything positive where the
+// driver cut the walk short. A ray that is not wanted is at the end from the start.
+
+// More steps than any sound tree asks for. A driver may stop earlier.
+#define MAX_STEPS 65536
+
+// The slab test loses some bits: distances to the far side are made longer by several roundings (Ize
+// 2013, "Robust BVH Ray Traversal").
+#define BOX_SLACK 1.000001
+
+struct Hit {
+  float triangle;  // index, or TRIANGLE_NONE, or TRIANGLE_UNKNOWN where the traversal was cut short
+  float t;
+  vec3 volumes;    // see triangle.glsl
+  float material;  // index
+  float area;      // square metres
+};
+
+// Directions along an axis would multiply zero by infinity.
+vec3 inverseOf(vec3 direction) {
+  vec3 side = vec3(direction.x < 0.0 ? -1.0 : 1.0, direction.y < 0.0 ? -1.0 : 1.0,
+                   direction.z < 0.0 ? -1.0 : 1.0);
+  return side / max(abs(direction), vec3(1.0e-18));
+}

@@ -1,0 +1,34 @@
+// No tree: every triangle is tested. What the others are measured against, and for a handful of
+// triangles not the worst.
+uniform float uTriangleCount;
+
+Hit closestHit(vec3 origin, vec3 direction, bool wanted) {
+  Hit hit = Hit(TRIANGLE_NONE, FAR_AWAY, vec3(1.0), 0.0, 1.0);
+  float count = wanted ? uTriangleCount : 0.0;
+  float index = 0.0;
+  for (int i = 0; i < MAX_STEPS; i++) {
+    if (index >= count) break;
+    TriangleData data = fetchTriangle(index);
+    TriangleHit met = intersectTriangle(origin, direction, data.v0, data.v1, data.v2, hit.t);
+    if (met.t >= 0.0) hit = Hit(index, met.t, met.volumes, data.material, data.area);
+    index += 1.0;
+  }
+  if (index < count) hit.triangle = TRIANGLE_UNKNOWN;
+  return hit;
+}
+
+// 1 where nothing stands between the origin and `far` times the direction from there, 0 where
+// something does, negative where the traversal was cut short.
+float visibility(vec3 origin, vec3 direction, float far, bool wanted) {
+  float count = wanted ? uTriangleCount : 0.0;
+  float index = 0.0;
+  bool blocked = false;
+  for (int i = 0; i < MAX_STEPS; i++) {
+    if (index >= count || blocked) break;
+    TriangleData data = fetchTriangle(index);
+    blocked = intersectTriangle(origin, direction, data.v0, data.v1, data.v2, far).t >= 0.0;
+    index += 1.0;
+  }
+  if (blocked) return 0.0;
+  return index >= count ? 1.0 : -1.0;
+}
