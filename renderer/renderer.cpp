@@ -27,28 +27,14 @@ std::array<double, 5> filled(double value) {
   return values;
 }
 
-// Eight copies of the tree pay while they fit: above this many triangles one copy is enough memory.
-constexpr std::size_t kMostTrianglesForOctants = 500000;
-
-std::string chosenTraversal(const std::string& asked, std::size_t triangles) {
-  if (asked != "auto") return asked;
-  return triangles <= kMostTrianglesForOctants ? "octant-ahead" : "stack";
-}
-
-PathTracerSettings pathTracerSettings(const RenderSettings& settings, const Scene& scene) {
-  return {settings.bounces, settings.seed,
-          chosenTraversal(settings.traversal, scene.triangles.size())};
-}
-
 }  // namespace
 
 class Renderer::State {
  public:
   State(gl::Context& context, const Scene& scene, const RenderSettings& settings)
       : device(context),
-        traversal(pathTracerSettings(settings, scene).traversal),
         triangles(scene.triangles.size()),
-        tracer(device, scene, pathTracerSettings(settings, scene)) {
+        tracer(device, scene, {settings.bounces, settings.seed, settings.traversal}) {
     tracer.resize(settings.width, settings.height);
   }
 
@@ -77,7 +63,6 @@ class Renderer::State {
   }
 
   gl::Device device;
-  std::string traversal;
   std::size_t triangles;
   PathTracer tracer;
 
@@ -161,7 +146,7 @@ void Renderer::present(int framebuffer_width, int framebuffer_height, float expo
 RenderStatistics Renderer::statistics() const {
   const PathTracer& tracer = state_->tracer;
   RenderStatistics statistics;
-  statistics.traversal = state_->traversal;
+  statistics.traversal = tracer.traversal();
   statistics.triangles = state_->triangles;
   statistics.nodes = tracer.scene().nodeCount();
   statistics.texture_bytes = tracer.scene().bytes();

@@ -30,12 +30,17 @@ bool isHit(const Vec4& record) {
 
 PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
                        const PathTracerSettings& settings)
+    : PathTracer(device, scene, settings, buildSceneTree(scene)) {}
+
+PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
+                       const PathTracerSettings& settings, const SceneTree& tree)
     : device_(&device),
       points_(settings.seed),
-      scene_(device, scene, traversalNamed(settings.traversal).layout),
+      traversal_(chooseTraversal(settings.traversal, tree.bvh)),
+      scene_(device, scene, tree, traversalNamed(traversal_).layout),
       offsets_(points_.makeOffsets(device)),
       camera_(scene.camera) {
-  compile(scene, settings.traversal);
+  compile(scene);
   for (int bounce = 0; bounce <= settings.bounces; ++bounce) {
     stages_.push_back({bounce == 0 ? Pass::camera : Pass::trace, bounce});
     stages_.push_back({Pass::light, bounce});
@@ -43,11 +48,11 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
   stages_.push_back({Pass::accumulate, 0});
 }
 
-void PathTracer::compile(const Scene& scene, const std::string& traversal) {
+void PathTracer::compile(const Scene& scene) {
   const auto start = std::chrono::steady_clock::now();
   const std::string vertex = composeVertexShader();
   for (const Pass pass : {Pass::camera, Pass::trace, Pass::light, Pass::accumulate}) {
-    const ShaderRequest request{pass, effectsOf(scene), traversal, device_->floatBlending()};
+    const ShaderRequest request{pass, effectsOf(scene), traversal_, device_->floatBlending()};
     programs_.emplace(
         pass, gl::Program(device_->gl(), nameOf(pass), vertex, composeFragmentShader(request)));
   }

@@ -16,7 +16,7 @@ namespace glimt {
 struct PathTracerSettings {
   int bounces = 4;
   std::uint32_t seed = 0;
-  std::string traversal;
+  std::string traversal = "auto";
 };
 
 // Rays of the first sample.
@@ -45,6 +45,7 @@ class PathTracer {
   int samples() const { return samples_; }
   const Film& film() const { return film_; }
   const SceneTextures& scene() const { return scene_; }
+  const std::string& traversal() const { return traversal_; }  // the one in use
   const RayCounts& rays() const { return rays_; }
   double compileSeconds() const { return compile_seconds_; }
 
@@ -55,8 +56,10 @@ class PathTracer {
     int bounce;
   };
 
+  PathTracer(const gl::Device& device, const Scene& scene, const PathTracerSettings& settings,
+             const SceneTree& tree);
   gl::Program& program(Pass pass) { return programs_.at(pass); }
-  void compile(const Scene& scene, const std::string& traversal);
+  void compile(const Scene& scene);
   gl::Tile nextTile(double pixels) const;
   void beginStage(const Stage& stage);
   void drawStage(const Stage& stage, const gl::Tile& tile);
@@ -67,6 +70,7 @@ class PathTracer {
 
   const gl::Device* device_;
   SamplePoints points_;
+  std::string traversal_;
   SceneTextures scene_;
   gl::Texture offsets_;
   std::map<Pass, gl::Program> programs_;

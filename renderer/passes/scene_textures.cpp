@@ -14,21 +14,6 @@
 namespace glimt {
 namespace {
 
-// More do not fit into a texture; see data_texture.cpp. The hit record's 23 bits would hold them.
-constexpr std::size_t kMaxTriangles =
-    (std::size_t{1} << 23) / static_cast<std::size_t>(TRIANGLE_TEXELS);
-
-std::vector<Bounds> boundsOf(const Scene& scene) {
-  std::vector<Bounds> boxes;
-  boxes.reserve(scene.triangles.size());
-  for (const Triangle& triangle : scene.triangles) {
-    Bounds box;
-    for (const std::uint32_t index : triangle.positions) box.include(scene.positions[index]);
-    boxes.push_back(box);
-  }
-  return boxes;
-}
-
 std::vector<Vec4> packTriangles(const Scene& scene, const Bvh& bvh) {
   std::vector<Vec4> texels;
   texels.reserve(scene.triangles.size() * static_cast<std::size_t>(TRIANGLE_TEXELS));
@@ -132,16 +117,14 @@ void bindData(gl::Program& program, const std::string& name, const gl::Texture& 
 
 }  // namespace
 
-SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene, TreeLayout layout) {
-  if (scene.triangles.size() > kMaxTriangles)
-    throw Error(ErrorKind::input, fmt::format("the scene has {} triangles, and {} is the most that "
-                                              "can be rendered; use a smaller model",
-                                              scene.triangles.size(), kMaxTriangles));
-  const auto start = std::chrono::steady_clock::now();
-  const Bvh bvh = buildBvh(boundsOf(scene));
+SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene, const SceneTree& tree,
+                             TreeLayout layout) {
+  const Bvh& bvh = tree.bvh;
   if (layout == TreeLayout::pairs) checkStack(bvh);
+  const auto start = std::chrono::steady_clock::now();
   NodeLayout nodes = layOut(bvh, layout);
-  build_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  build_seconds_ = tree.build_seconds +
+                   std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   const LightTable lights = buildLightTable(scene);
   nodes_ = makeDataTexture(device, std::move(nodes.texels), "tree nodes");

@@ -1,9 +1,9 @@
 // A scene and its tree as textures.
 #pragma once
 
-#include "renderer/bvh/bvh.h"
 #include "renderer/gl/device.h"
 #include "renderer/gl/program.h"
+#include "renderer/passes/scene_tree.h"
 #include "renderer/scene/scene.h"
 #include "renderer/shader/traversals.h"
 
@@ -13,7 +13,10 @@ class SceneTextures {
  public:
   // Errors: input, when the scene is larger than the device's textures or the hit record can hold,
   // or its tree deeper than the traversal's stack.
-  SceneTextures(const gl::Device& device, const Scene& scene, TreeLayout layout);
+  SceneTextures(const gl::Device& device, const Scene& scene, const SceneTree& tree,
+                TreeLayout layout);
+  SceneTextures(const gl::Device& device, const Scene& scene, TreeLayout layout)
+      : SceneTextures(device, scene, buildSceneTree(scene), layout) {}
 
   // Sets every uniform that speaks of the scene, for the program in use.
   void bind(gl::Program& program) const;

@@ -1,0 +1,24 @@
+// The tree over a scene's triangles, and the traversal that suits it.
+#pragma once
+
+#include <string>
+
+#include "renderer/bvh/bvh.h"
+#include "renderer/scene/scene.h"
+
+namespace glimt {
+
+struct SceneTree {
+  Bvh bvh;  // its primitives are Scene::triangles
+  double build_seconds = 0;
+};
+
+// Errors: input, for more triangles than fit into a texture.
+SceneTree buildSceneTree(const Scene& scene);
+
+// `asked` itself, or for "auto" the fastest of those that the tree fits: octant-ahead while its
+// eight copies are small, then the stack while it is deep enough, else skip. Errors: usage, for a
+// traversal that does not exist.
+std::string chooseTraversal(const std::string& asked, const Bvh& bvh);
+
+}  // namespace glimt

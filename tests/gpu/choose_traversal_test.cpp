@@ -1,0 +1,41 @@
+// Which traversal `auto` is: one that can hold the scene's tree.
+#include <catch2/catch.hpp>
+
+#include "renderer/core/error.h"
+#include "renderer/passes/scene_tree.h"
+#include "shaders/layout.h"
+
+using namespace glimt;
+
+namespace {
+
+// Every inner node has a leaf for its lower child; `primitives` is what the tree says it holds.
+Bvh chain(std::size_t inner_nodes, std::size_t primitives) {
+  Bvh bvh;
+  bvh.nodes.resize(2 * inner_nodes + 1);
+  for (std::size_t i = 0; i < inner_nodes; ++i) {
+    const std::size_t node = i == 0 ? 0 : 2 * i;
+    bvh.nodes[node].first = static_cast<std::uint32_t>(2 * i + 1);
+    bvh.nodes[2 * i + 1].count = 1;
+  }
+  bvh.nodes.back().count = 1;
+  bvh.order.resize(primitives);
+  return bvh;
+}
+
+}  // namespace
+
+TEST_CASE("auto takes the octants for small trees, however deep they are") {
+  CHECK(chooseTraversal("auto", chain(3, 1000)) == "octant-ahead");
+  CHECK(chooseTraversal("auto", chain(100, 1000)) == "octant-ahead");
+}
+
+TEST_CASE("auto takes the stack for large trees only while it is deep enough") {
+  CHECK(chooseTraversal("auto", chain(STACK_SIZE - 1, 600000)) == "stack");
+  CHECK(chooseTraversal("auto", chain(STACK_SIZE, 600000)) == "skip");
+}
+
+TEST_CASE("a traversal that is asked for by name is taken, and an unknown one is refused") {
+  CHECK(chooseTraversal("trail", chain(3, 1000)) == "trail");
+  CHECK_THROWS_AS(chooseTraversal("magic", chain(3, 1000)), Error);
+}
