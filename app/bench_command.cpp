@@ -1,3 +1,5 @@
+#include <cstdlib>
+
 #include "app/bench_report.h"
 #include "app/commands.h"
 #include "app/json_output.h"
@@ -18,10 +20,17 @@ TraversalBenchSettings settingsOf(const BenchOptions& options) {
   return settings;
 }
 
+// Mesa keeps compiled shaders on disk: the times to compile would be those of reading a file. Other
+// drivers ignore this, and whoever has set it keeps what is set.
+void doWithoutShaderCache() {
+  setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+}
+
 }  // namespace
 
 int runBench(const BenchOptions& options) {
   checkJsonFile(options.json);
+  doWithoutShaderCache();
   ContextHandle context = createOffscreenContext(options.backend, options.gles);
   Progress progress(true);
   const std::vector<TraversalRow> rows = benchTraversals(
