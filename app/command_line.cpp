@@ -75,6 +75,7 @@ class CommandLine {
   ViewOptions view_;
   InfoOptions info_;
   CompareOptions compare_;
+  BenchOptions bench_;
   std::vector<Command> commands_;
 };
 
@@ -99,6 +100,10 @@ CommandLine::CommandLine() {
   CLI::App* const compare = app_.add_subcommand("compare", "How far picture A is from picture B");
   addCompareOptions(*compare, compare_);
   commands_.push_back({compare, [this] { return runCompare(compare_); }});
+
+  CLI::App* const bench = app_.add_subcommand("bench", "How fast the renderer's parts are here");
+  addBenchOptions(*bench, bench_);
+  commands_.push_back({bench, [this] { return runBench(bench_); }});
 }
 
 CLI::App* CommandLine::commandNamed(const std::string& name) const {

@@ -38,9 +38,19 @@ struct CompareOptions {
   std::string json;
 };
 
+struct BenchOptions {
+  std::string suite = "traversal";
+  std::vector<std::size_t> triangles;  // of the meshes; empty for the suite's own
+  bool quick = false;
+  int gles = 2;
+  Backend backend = Backend::automatic;
+  std::string json;
+};
+
 int runRender(const RenderOptions& options);
 int runView(const ViewOptions& options);
 int runInfo(const InfoOptions& options);
 int runCompare(const CompareOptions& options);
+int runBench(const BenchOptions& options);
 
 }  // namespace glimt

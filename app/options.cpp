@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <functional>
 #include <limits>
 
@@ -15,6 +16,8 @@ namespace {
 
 constexpr int kMostBounces = 64;
 constexpr double kMostExposure = 64;
+constexpr std::int64_t kLeastBenchTriangles = 100;
+constexpr std::int64_t kMostBenchTriangles = 2700000;
 
 using Take = std::function<void(const std::string& text)>;
 
@@ -32,6 +35,12 @@ void addScene(CLI::App& command, std::filesystem::path& scene) {
 void addJson(CLI::App& command, std::string& json) {
   command.add_option("--json", json, "Write a report as JSON; - is standard output")
       ->type_name("FILE");
+}
+
+void addGles(CLI::App& command, int& gles) {
+  add(command, "--gles", "2|3", "OpenGL ES version to ask for (2)", [&](const std::string& text) {
+    gles = parseChoice("--gles", text, {"2", "3"}) == "2" ? 2 : 3;
+  });
 }
 
 void addCamera(CLI::App& command, CameraOptions& camera) {
@@ -70,9 +79,7 @@ void addPicture(CLI::App& command, PictureOptions& picture) {
   });
   command.add_option("--traversal", picture.traversal, "How rays find triangles (auto)")
       ->type_name("NAME");
-  add(command, "--gles", "2|3", "OpenGL ES version to ask for (2)", [&](const std::string& text) {
-    picture.gles = parseChoice("--gles", text, {"2", "3"}) == "2" ? 2 : 3;
-  });
+  addGles(command, picture.gles);
 }
 
 void addLimits(CLI::App& command, RenderOptions& options) {
@@ -95,6 +102,33 @@ Backend backendNamed(const std::string& name) {
   return name == "osmesa" ? Backend::osmesa : Backend::automatic;
 }
 
+void addBackend(CLI::App& command, Backend& backend) {
+  add(command, "--backend", "auto|egl|osmesa", "Where OpenGL comes from (auto)",
+      [&](const std::string& text) {
+        backend = backendNamed(parseChoice("--backend", text, {"auto", "egl", "osmesa"}));
+      });
+}
+
+std::string suiteNamed(const std::string& name) {
+  if (name == "passes" || name == "effects")
+    throw Error(ErrorKind::usage,
+                fmt::format("--suite {} is not in this version; use traversal", name));
+  return parseChoice("--suite", name, {"traversal"});
+}
+
+// Each of them is between the least tube that is still round and what fits into a texture.
+std::vector<std::size_t> meshSizes(const std::string& text) {
+  std::vector<std::size_t> sizes;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string number = text.substr(begin, end - begin);
+    sizes.push_back(static_cast<std::size_t>(
+        parseInteger("--triangles", number, kLeastBenchTriangles, kMostBenchTriangles)));
+    begin = end + 1;
+  }
+  return sizes;
+}
+
 }  // namespace
 
 void addRenderOptions(CLI::App& command, RenderOptions& options) {
@@ -107,10 +141,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       ->required();
   addLimits(command, options);
   addPicture(command, options.picture);
-  add(command, "--backend", "auto|egl|osmesa", "Where OpenGL comes from (auto)",
-      [&](const std::string& text) {
-        options.backend = backendNamed(parseChoice("--backend", text, {"auto", "egl", "osmesa"}));
-      });
+  addBackend(command, options.backend);
   add(command, "--record", "packed|wide", "How hits are stored (packed)",
       [](const std::string& text) {
         if (parseChoice("--record", text, {"packed", "wide"}) == "packed") return;
@@ -134,6 +165,17 @@ void addInfoOptions(CLI::App& command, InfoOptions& options) {
 void addCompareOptions(CLI::App& command, CompareOptions& options) {
   command.add_option("A", options.image, "The picture to judge")->type_name("")->required();
   command.add_option("B", options.reference, "What it should look like")->type_name("")->required();
+  addJson(command, options.json);
+}
+
+void addBenchOptions(CLI::App& command, BenchOptions& options) {
+  add(command, "--suite", "traversal", "What to measure (traversal)",
+      [&](const std::string& text) { options.suite = suiteNamed(text); });
+  add(command, "--triangles", "N[,N...]", "Sizes of the meshes (1000,70000,500000,2000000)",
+      [&](const std::string& text) { options.triangles = meshSizes(text); });
+  command.add_flag("--quick", options.quick, "The two smallest meshes, fewer repeats");
+  addGles(command, options.gles);
+  addBackend(command, options.backend);
   addJson(command, options.json);
 }
 

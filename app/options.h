@@ -39,12 +39,14 @@ struct RenderOptions;
 struct ViewOptions;
 struct InfoOptions;
 struct CompareOptions;
+struct BenchOptions;
 
 // What the options hold is valid once the command line has been parsed. Errors: usage.
 void addRenderOptions(CLI::App& command, RenderOptions& options);
 void addViewOptions(CLI::App& command, ViewOptions& options);
 void addInfoOptions(CLI::App& command, InfoOptions& options);
 void addCompareOptions(CLI::App& command, CompareOptions& options);
+void addBenchOptions(CLI::App& command, BenchOptions& options);
 
 // The scene's camera with the parts that the options replace. Errors: usage, for a name that the
 // scene does not have, and for a camera without a direction.
