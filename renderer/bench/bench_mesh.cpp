@@ -1,6 +1,7 @@
 #include "renderer/bench/bench_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
