@@ -1,160 +1,150 @@
 #include "renderer/bvh/bvh.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
+#include <thread>
+
+#include "renderer/bvh/node_layout.h"
+#include "renderer/bvh/parallel_for.h"
+#include "renderer/bvh/reinsertion.h"
+#include "renderer/bvh/split.h"
+#include "shaders/layout.h"
 
 namespace glimt {
 namespace {
 
-constexpr int kBins = 32;
+// Larger ranges are divided level by level, those of a level in parallel; then the subtrees below
+// are built in parallel. Must not depend on the number of threads, since the order of nodes does
+// on this.
+constexpr std::uint32_t kSubtreeSize = 1u << 14;
 
-// What a step into a node costs, in units of one triangle: it reads one texel where a triangle
-// reads three, and calculates less.
-constexpr float kNodeCost = 0.6f;
+// On larger trees reinsertion takes long on its one thread, and gains little.
+constexpr std::size_t kMostReinserted = 200000;
 
-struct Bin {
-  Bounds bounds;
-  int count = 0;
+struct Task {
+  std::uint32_t node;
+  PrimitiveRange range;
 };
 
-struct Split {
-  float cost = std::numeric_limits<float>::infinity();
-  int axis = 0;
-  int bin = 0;  // the first bin of the upper side
-};
+BvhNode nodeOf(const PrimitiveRange& range, const SplitRange& split, std::size_t children) {
+  if (split.leaf)
+    return {range.bounds.bounds(), range.begin, static_cast<std::uint16_t>(range.size()), 0};
+  return {range.bounds.bounds(), static_cast<std::uint32_t>(children), 0,
+          static_cast<std::uint8_t>(split.axis)};
+}
 
-// Puts centroids into bins along one axis.
-struct Binning {
-  float start = 0;
-  float scale = 0;
-
-  Binning(const Bounds& centroids, int axis)
-      : start(centroids.min[axis]), scale(kBins / centroids.size()[axis]) {}
-  int operator()(float centroid) const {
-    return std::clamp(static_cast<int>((centroid - start) * scale), 0, kBins - 1);
+// Its root is node 0.
+std::vector<BvhNode> buildSubtree(BvhPrimitives& primitives, const PrimitiveRange& whole) {
+  std::vector<BvhNode> nodes(1);
+  nodes.reserve(whole.size());
+  std::vector<Task> tasks{{0, whole}};
+  while (!tasks.empty()) {
+    const Task task = tasks.back();
+    tasks.pop_back();
+    const SplitRange halves = split(primitives, task.range);
+    nodes[task.node] = nodeOf(task.range, halves, nodes.size());
+    if (halves.leaf) continue;
+    const std::uint32_t lower = nodes[task.node].first;
+    nodes.resize(nodes.size() + 2);
+    tasks.push_back({lower + 1, halves.upper});
+    tasks.push_back({lower, halves.lower});
   }
-};
-
-struct Range {
-  std::uint32_t begin;
-  std::uint32_t end;
-
-  std::uint32_t size() const { return end - begin; }
-};
+  return nodes;
+}
 
 class Builder {
  public:
-  explicit Builder(const std::vector<Bounds>& boxes) : boxes_(boxes) {
-    bvh_.order.resize(boxes.size());
-    std::iota(bvh_.order.begin(), bvh_.order.end(), 0u);
-    centroids_.reserve(boxes.size());
-    for (const Bounds& box : boxes) centroids_.push_back(box.center());
+  Builder(const std::vector<Bounds>& boxes, unsigned threads) : threads_(threads) {
+    primitives_.boxes.reserve(boxes.size());
+    for (const Bounds& box : boxes) primitives_.boxes.emplace_back(box);
+    primitives_.order.resize(boxes.size());
+    std::iota(primitives_.order.begin(), primitives_.order.end(), 0u);
   }
 
   Bvh build() {
-    if (boxes_.empty()) return {};
-    struct Task {
-      std::uint32_t node;
-      Range range;
-    };
-    bvh_.nodes.emplace_back();
-    std::vector<Task> tasks{{0, {0, static_cast<std::uint32_t>(boxes_.size())}}};
-    while (!tasks.empty()) {
-      const auto [node, range] = tasks.back();
-      tasks.pop_back();
-      const std::uint32_t middle = makeNode(node, range);
-      if (bvh_.nodes[node].leaf()) continue;
-      const std::uint32_t lower = bvh_.nodes[node].first;
-      tasks.push_back({lower + 1, {middle, range.end}});
-      tasks.push_back({lower, {range.begin, middle}});
-    }
-    return std::move(bvh_);
+    if (primitives_.boxes.empty()) return {};
+    nodes_.emplace_back();
+    std::vector<Task> level{{0, all()}};
+    while (!level.empty()) level = buildLevel(takeSubtrees(std::move(level)));
+    buildSubtrees();
+    return {std::move(nodes_), std::move(primitives_.order)};
   }
 
  private:
-  // Returns where the range is divided, if the node is an inner one.
-  std::uint32_t makeNode(std::uint32_t index, Range range) {
-    Bounds bounds;
-    Bounds centroids;
-    for (std::uint32_t i = range.begin; i < range.end; ++i) {
-      bounds.include(boxes_[bvh_.order[i]]);
-      centroids.include(centroids_[bvh_.order[i]]);
-    }
-    const Split split = bestSplit(range, bounds, centroids);
-    const auto size = static_cast<float>(range.size());
-    if (range.size() <= kMaxLeafSize && split.cost >= size) {
-      bvh_.nodes[index] = {bounds, range.begin, static_cast<std::uint16_t>(range.size()), 0};
-      return range.begin;
-    }
-    const auto lower = static_cast<std::uint32_t>(bvh_.nodes.size());
-    bvh_.nodes[index] = {bounds, lower, 0, static_cast<std::uint8_t>(split.axis)};
-    bvh_.nodes.resize(bvh_.nodes.size() + 2);
-    return divide(range, split, centroids);
+  PrimitiveRange all() const {
+    PrimitiveRange range;
+    range.end = static_cast<std::uint32_t>(primitives_.boxes.size());
+    for (const Box4& box : primitives_.boxes) range.include(box);
+    return range;
   }
 
-  Split bestSplit(Range range, const Bounds& bounds, const Bounds& centroids) const {
-    Split best;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!(centroids.size()[axis] > 0)) continue;
-      std::array<Bin, kBins> bins;
-      const Binning binOf(centroids, axis);
-      for (std::uint32_t i = range.begin; i < range.end; ++i) {
-        const std::uint32_t primitive = bvh_.order[i];
-        Bin& bin = bins[static_cast<std::size_t>(binOf(centroids_[primitive][axis]))];
-        bin.bounds.include(boxes_[primitive]);
-        ++bin.count;
-      }
-      sweep(bins, axis, bounds.halfArea(), best);
-    }
-    return best;
+  // Returns those that are too large for one.
+  std::vector<Task> takeSubtrees(std::vector<Task> level) {
+    const auto small = std::stable_partition(level.begin(), level.end(), [](const Task& task) {
+      return task.range.size() > kSubtreeSize;
+    });
+    subtrees_.insert(subtrees_.end(), small, level.end());
+    level.erase(small, level.end());
+    return level;
   }
 
-  // Costs of all splits between bins: from above first, then from below.
-  static void sweep(const std::array<Bin, kBins>& bins, int axis, float area, Split& best) {
-    std::array<float, kBins> upper{};
-    Bounds bounds;
-    int count = 0;
-    for (int i = kBins - 1; i > 0; --i) {
-      bounds.include(bins[static_cast<std::size_t>(i)].bounds);
-      count += bins[static_cast<std::size_t>(i)].count;
-      upper[static_cast<std::size_t>(i)] = bounds.halfArea() * static_cast<float>(count);
+  // Returns the next level.
+  std::vector<Task> buildLevel(const std::vector<Task>& level) {
+    std::vector<SplitRange> splits(level.size());
+    parallelFor(threads_, level.size(),
+                [&](std::size_t i) { splits[i] = split(primitives_, level[i].range); });
+    std::vector<Task> next;
+    for (std::size_t i = 0; i < level.size(); ++i) {
+      const auto lower = static_cast<std::uint32_t>(nodes_.size());
+      nodes_[level[i].node] = nodeOf(level[i].range, splits[i], lower);
+      nodes_.resize(nodes_.size() + 2);
+      next.push_back({lower, splits[i].lower});
+      next.push_back({lower + 1, splits[i].upper});
     }
-    bounds = {};
-    count = 0;
-    for (int i = 1; i < kBins; ++i) {
-      bounds.include(bins[static_cast<std::size_t>(i - 1)].bounds);
-      count += bins[static_cast<std::size_t>(i - 1)].count;
-      const float lower = bounds.halfArea() * static_cast<float>(count);
-      const float cost = 2 * kNodeCost + (lower + upper[static_cast<std::size_t>(i)]) / area;
-      if (cost < best.cost) best = {cost, axis, i};
+    return next;
+  }
+
+  void buildSubtrees() {
+    std::vector<std::vector<BvhNode>> built(subtrees_.size());
+    parallelFor(threads_, subtrees_.size(),
+                [&](std::size_t i) { built[i] = buildSubtree(primitives_, subtrees_[i].range); });
+    std::size_t size = nodes_.size();
+    for (const auto& nodes : built) size += nodes.size() - 1;
+    nodes_.reserve(size);
+    for (std::size_t i = 0; i < built.size(); ++i) {
+      append(std::move(built[i]), subtrees_[i].node);
     }
   }
 
-  std::uint32_t divide(Range range, const Split& split, const Bounds& centroids) {
-    const auto begin = bvh_.order.begin() + range.begin;
-    const auto end = bvh_.order.begin() + range.end;
-    auto middle = begin;
-    if (split.cost < std::numeric_limits<float>::infinity()) {
-      const Binning binOf(centroids, split.axis);
-      middle = std::partition(begin, end, [&](std::uint32_t primitive) {
-        return binOf(centroids_[primitive][split.axis]) < split.bin;
-      });
-    }
-    // All centroids in one place, or all in one bin: any halves are as good as any others.
-    if (middle == begin || middle == end) middle = begin + range.size() / 2;
-    return static_cast<std::uint32_t>(middle - bvh_.order.begin());
+  // The subtree's root takes the place that it has among the nodes; the others follow at the end.
+  void append(std::vector<BvhNode> subtree, std::uint32_t root) {
+    const auto shift = static_cast<std::uint32_t>(nodes_.size() - 1);
+    for (BvhNode& node : subtree)
+      if (!node.leaf()) node.first += shift;
+    nodes_[root] = subtree.front();
+    nodes_.insert(nodes_.end(), subtree.begin() + 1, subtree.end());
   }
 
-  const std::vector<Bounds>& boxes_;
-  std::vector<Vec3> centroids_;
-  Bvh bvh_;
+  unsigned threads_;
+  BvhPrimitives primitives_;
+  std::vector<BvhNode> nodes_;
+  std::vector<Task> subtrees_;
 };
+
+// Keeps the tree where reinsertion would make it too deep for a stack that it fits now.
+Bvh improved(Bvh bvh) {
+  if (bvh.order.size() > kMostReinserted) return bvh;
+  Bvh better = bvh;
+  reinsertNodes(better.nodes);
+  const std::size_t most = std::max<std::size_t>(stackSizeOf(bvh), STACK_SIZE);
+  return stackSizeOf(better) <= most ? better : bvh;
+}
 
 }  // namespace
 
-Bvh buildBvh(const std::vector<Bounds>& boxes) {
-  return Builder(boxes).build();
+Bvh buildBvh(const std::vector<Bounds>& boxes, unsigned threads) {
+  if (threads == 0) threads = std::max(std::thread::hardware_concurrency(), 1u);
+  return improved(Builder(boxes, threads).build());
 }
 
 }  // namespace glimt

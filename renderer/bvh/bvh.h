@@ -27,7 +27,9 @@ struct Bvh {
 inline constexpr int kMaxLeafSize = 4;
 
 // Top down, each split chosen by the surface area heuristic over bins of centroids: Wald 2007, "On
-// fast Construction of SAH-based Bounding Volume Hierarchies". Depends on the boxes alone.
-Bvh buildBvh(const std::vector<Bounds>& boxes);
+// fast Construction of SAH-based Bounding Volume Hierarchies". Where primitives are not too many,
+// reinsertion improves the tree. It depends on the boxes alone, not on the number of threads: 0 for
+// as many as the machine has, 1 for no other than the calling one.
+Bvh buildBvh(const std::vector<Bounds>& boxes, unsigned threads = 0);
 
 }  // namespace glimt
