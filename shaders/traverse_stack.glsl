@@ -9,9 +9,13 @@ struct Stack {
   vec4 d;
   vec4 e;
   vec4 f;
+  vec4 g;
+  vec4 h;
 };
 
 Stack pushed(Stack stack, float entry) {
+  stack.h = vec4(stack.g.w, stack.h.x, stack.h.y, stack.h.z);
+  stack.g = vec4(stack.f.w, stack.g.x, stack.g.y, stack.g.z);
   stack.f = vec4(stack.e.w, stack.f.x, stack.f.y, stack.f.z);
   stack.e = vec4(stack.d.w, stack.e.x, stack.e.y, stack.e.z);
   stack.d = vec4(stack.c.w, stack.d.x, stack.d.y, stack.d.z);
@@ -27,7 +31,9 @@ Stack popped(Stack stack) {
   stack.c = vec4(stack.c.y, stack.c.z, stack.c.w, stack.d.x);
   stack.d = vec4(stack.d.y, stack.d.z, stack.d.w, stack.e.x);
   stack.e = vec4(stack.e.y, stack.e.z, stack.e.w, stack.f.x);
-  stack.f = vec4(stack.f.y, stack.f.z, stack.f.w, 0.0);
+  stack.f = vec4(stack.f.y, stack.f.z, stack.f.w, stack.g.x);
+  stack.g = vec4(stack.g.y, stack.g.z, stack.g.w, stack.h.x);
+  stack.h = vec4(stack.h.y, stack.h.z, stack.h.w, 0.0);
   return stack;
 }
 
@@ -42,7 +48,7 @@ struct Walk {
 Walk startWalk(vec3 origin, vec3 direction, bool wanted) {
   vec4 none = vec4(0.0);
   return Walk(rayOnGrid(origin, direction), uNodesStep, wanted ? ROOT_PAIR : 0.0,
-              Stack(none, none, none, none, none, none), 1.0);
+              Stack(none, none, none, none, none, none, none, none), 1.0);
 }
 
 void walkToLeaf(inout Walk walk, float t) {

@@ -28,7 +28,7 @@ void restart(inout Walk walk) {
   float level = 2.0 * walk.level;
   float bits = floor(walk.trail / level) + 1.0;
   walk.trail = bits * level;
-  for (int i = 0; i < STACK_SIZE; i++) {
+  for (int i = 0; i < TRAIL_SIZE; i++) {
     if (isOdd(bits)) break;
     bits *= 0.5;
     level *= 2.0;

@@ -148,6 +148,7 @@ class MeshBench {
     Measured measured{newRow(name), {}, {}};
     try {
       const SceneTextures& tree = trees.of(name);
+      checkFits(traversalNamed(name), tree.stackSize());
       const Cast cast = castOn(name, tree, measured.row);
       candidates_.push_back({measured, cast});
     } catch (const Error& error) {

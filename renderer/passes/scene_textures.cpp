@@ -99,16 +99,6 @@ NodeLayout layOut(const Bvh& bvh, TreeLayout layout) {
   return {};
 }
 
-void checkStack(const Bvh& bvh) {
-  const std::size_t size = stackSizeOf(bvh);
-  if (size > STACK_SIZE)
-    throw Error(
-        ErrorKind::input,
-        fmt::format("the scene's tree needs a stack of {} places, and traversal 'stack' has "
-                    "{}; use --traversal skip",
-                    size, STACK_SIZE));
-}
-
 void bindData(gl::Program& program, const std::string& name, const gl::Texture& texture) {
   program.set(name, texture);
   const auto width = static_cast<float>(texture.width());
@@ -120,7 +110,6 @@ void bindData(gl::Program& program, const std::string& name, const gl::Texture& 
 SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene, const SceneTree& tree,
                              TreeLayout layout) {
   const Bvh& bvh = tree.bvh;
-  if (layout == TreeLayout::pairs) checkStack(bvh);
   const auto start = std::chrono::steady_clock::now();
   NodeLayout nodes = layOut(bvh, layout);
   build_seconds_ = tree.build_seconds +
@@ -135,6 +124,7 @@ SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene, const
   normals_ =
       makeDataTexture(device, smooth ? packNormals(scene, bvh) : std::vector<Vec4>(), "normals");
   node_count_ = bvh.nodes.size();
+  stack_size_ = stackSizeOf(bvh);
   nodes_per_copy_ = nodes.nodes_per_copy;
   triangle_count_ = scene.triangles.size();
   grid_origin_ = nodes.grid_origin;

@@ -5,7 +5,6 @@
 #include "renderer/gl/program.h"
 #include "renderer/passes/scene_tree.h"
 #include "renderer/scene/scene.h"
-#include "renderer/shader/traversals.h"
 
 namespace glimt {
 
@@ -22,6 +21,7 @@ class SceneTextures {
   void bind(gl::Program& program) const;
 
   std::size_t nodeCount() const { return node_count_; }
+  std::size_t stackSize() const { return stack_size_; }  // see stackSizeOf()
   std::size_t bytes() const;
   double buildSeconds() const { return build_seconds_; }
 
@@ -32,6 +32,7 @@ class SceneTextures {
   gl::Texture materials_;
   gl::Texture lights_;
   std::size_t node_count_ = 0;
+  std::size_t stack_size_ = 0;
   std::size_t nodes_per_copy_ = 0;
   std::size_t triangle_count_ = 0;
   Vec3 grid_origin_{0};

@@ -6,7 +6,6 @@
 
 #include "renderer/bvh/node_layout.h"
 #include "renderer/core/error.h"
-#include "renderer/shader/traversals.h"
 #include "shaders/layout.h"
 
 namespace glimt {
@@ -44,8 +43,19 @@ SceneTree buildSceneTree(const Scene& scene) {
   return tree;
 }
 
+void checkFits(const Traversal& traversal, std::size_t stack_size) {
+  if (stack_size > traversal.most_levels)
+    throw Error(ErrorKind::input,
+                fmt::format("the scene's tree is {} levels deep, and traversal '{}' holds {}; use "
+                            "--traversal skip",
+                            stack_size, traversal.name, traversal.most_levels));
+}
+
 std::string chooseTraversal(const std::string& asked, const Bvh& bvh) {
-  if (asked != "auto") return traversalNamed(asked).name;
+  if (asked != "auto") {
+    checkFits(traversalNamed(asked), stackSizeOf(bvh));
+    return asked;
+  }
   if (bvh.order.size() <= kMostTrianglesForOctants) return "octant-ahead";
   return stackSizeOf(bvh) <= STACK_SIZE ? "stack" : "skip";
 }

@@ -5,6 +5,7 @@
 
 #include "renderer/bvh/bvh.h"
 #include "renderer/scene/scene.h"
+#include "renderer/shader/traversals.h"
 
 namespace glimt {
 
@@ -16,9 +17,12 @@ struct SceneTree {
 // Errors: input, for more triangles than fit into a texture.
 SceneTree buildSceneTree(const Scene& scene);
 
+// Errors: input, where the tree is deeper than the traversal can hold.
+void checkFits(const Traversal& traversal, std::size_t stack_size);
+
 // `asked` itself, or for "auto" the fastest of those that the tree fits: octant-ahead while its
 // eight copies are small, then the stack while it is deep enough, else skip. Errors: usage, for a
-// traversal that does not exist.
+// traversal that does not exist; input, for one that does not hold the tree.
 std::string chooseTraversal(const std::string& asked, const Bvh& bvh);
 
 }  // namespace glimt

@@ -1,6 +1,7 @@
 // The traversals there are. Each is a shader file of its own over one layout of the tree.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct Traversal {
   std::string name;
   TreeLayout layout;
   std::vector<std::string> files;  // in the order in which they are put together
+  std::size_t most_levels;         // the largest stackSizeOf() that it holds
   std::string idea;                // for people, a few words
 };
 

@@ -102,6 +102,10 @@ void compareClosestHits(const std::string& name, const Scene& scene, const Rays&
   onEveryTraversal([&](const test::TestContext& context, const Traversal& traversal) {
     CAPTURE(context.name(), name, traversal.name);
     const SceneTextures textures(context.device(), scene, traversal.layout);
+    if (textures.stackSize() > traversal.most_levels) {
+      test::report("{}: too deep for {}", name, traversal.name);
+      return;
+    }
     test::TraversalProbe probe(context.device(), test::kClosestHit, traversal.name);
     const std::vector<Vec4> found = probe.run(textures, {rays.origins, rays.directions});
     const Comparison sum = compare(scene, rays, found, expected);
@@ -132,6 +136,10 @@ void compareVisibility(const std::string& name, const Scene& scene) {
   onEveryTraversal([&](const test::TestContext& context, const Traversal& traversal) {
     CAPTURE(context.name(), name, traversal.name);
     const SceneTextures textures(context.device(), scene, traversal.layout);
+    if (textures.stackSize() > traversal.most_levels) {
+      test::report("{}: too deep for {}", name, traversal.name);
+      return;
+    }
     test::TraversalProbe probe(context.device(), test::kVisibility, traversal.name);
     const std::vector<Vec4> seen = probe.run(textures, {rays.origins, rays.directions});
     std::size_t visible = 0, unknown = 0, different = 0, wrong = 0;
