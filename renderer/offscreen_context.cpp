@@ -27,19 +27,13 @@ const std::vector<Way>& ways() {
   return kWays;
 }
 
-bool isSoftware(const gl::Context& context) {
-  for (const char* name : {"llvmpipe", "softpipe", "swrast"})
-    if (context.info().renderer.find(name) != std::string::npos) return true;
-  return false;
-}
-
 // A rasteriser in software is used only where no device is there: without a display, a GPU is often
 // found by its device alone.
 std::unique_ptr<gl::Context> preferDevice(std::unique_ptr<gl::Context> context, int gles) {
-  if (!isSoftware(*context)) return context;
+  if (!context->info().software) return context;
   try {
     auto device = gl::createEglDeviceContext(gles);
-    if (!isSoftware(*device)) {
+    if (!device->info().software) {
       context.reset();
       device->makeCurrent();
       return device;

@@ -11,10 +11,15 @@
 
 const float MANTISSA_RANGE = 8388608.0;
 
-// `power` where the bit is 1, and 1 where it is 0. Not mix(), which a driver may calculate as
-// x + bit * (y - x): small powers would be lost.
+// `power` where the bit is 1, and 1 where it is 0. Chosen, not calculated: of mix(), and of a sum of
+// products too, a driver may make 1 + bit * (power - 1), in which small powers are lost.
+float powerIf(float bit, float power) {
+  return bit > 0.5 ? power : 1.0;
+}
+
 vec4 powerWhere(vec4 bit, float power) {
-  return bit * power + (1.0 - bit);
+  return vec4(powerIf(bit.x, power), powerIf(bit.y, power), powerIf(bit.z, power),
+              powerIf(bit.w, power));
 }
 
 // 2^exponent for whole exponents in [-64, 64).

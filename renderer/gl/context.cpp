@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 namespace glimt::gl {
 namespace {
 
@@ -16,6 +19,13 @@ std::string text(const Functions& gl, GLenum name) {
   return value ? reinterpret_cast<const char*>(value) : "";
 }
 
+// Zink is GL over Vulkan, and lavapipe, a Vulkan on the CPU, names llvmpipe in turn.
+bool isSoftware(const std::string& renderer) {
+  constexpr std::array kNames{"llvmpipe", "softpipe", "swrast", "SwiftShader"};
+  return std::any_of(kNames.begin(), kNames.end(),
+                     [&](const char* name) { return renderer.find(name) != std::string::npos; });
+}
+
 }  // namespace
 
 void Context::initialize(const std::string& backend, int gles, const ProcLoader& loader) {
@@ -24,6 +34,7 @@ void Context::initialize(const std::string& backend, int gles, const ProcLoader&
   info_.renderer = text(functions_, GL_RENDERER);
   info_.version = text(functions_, GL_VERSION);
   info_.gles = gles;
+  info_.software = isSoftware(info_.renderer);
   extensions_ = fmt::format(" {} ", text(functions_, GL_EXTENSIONS));
 }
 

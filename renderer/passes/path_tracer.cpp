@@ -36,7 +36,7 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
                        const PathTracerSettings& settings, const SceneTree& tree)
     : device_(&device),
       points_(settings.seed),
-      traversal_(chooseTraversal(settings.traversal, tree.bvh)),
+      traversal_(chooseTraversal(settings.traversal, tree.bvh, device.info().software)),
       scene_(device, scene, tree, traversalNamed(traversal_).layout),
       offsets_(points_.makeOffsets(device)),
       camera_(scene.camera) {

@@ -51,12 +51,12 @@ void checkFits(const Traversal& traversal, std::size_t stack_size) {
                             stack_size, traversal.name, traversal.most_levels));
 }
 
-std::string chooseTraversal(const std::string& asked, const Bvh& bvh) {
+std::string chooseTraversal(const std::string& asked, const Bvh& bvh, bool software) {
   if (asked != "auto") {
     checkFits(traversalNamed(asked), stackSizeOf(bvh));
     return asked;
   }
-  if (bvh.order.size() <= kMostTrianglesForOctants) return "octant-ahead";
+  if (bvh.order.size() <= kMostTrianglesForOctants) return software ? "octant-ahead" : "octant";
   return stackSizeOf(bvh) <= STACK_SIZE ? "stack" : "skip";
 }
 

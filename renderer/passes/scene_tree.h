@@ -20,9 +20,11 @@ SceneTree buildSceneTree(const Scene& scene);
 // Errors: input, where the tree is deeper than the traversal can hold.
 void checkFits(const Traversal& traversal, std::size_t stack_size);
 
-// `asked` itself, or for "auto" the fastest of those that the tree fits: octant-ahead while its
-// eight copies are small, then the stack while it is deep enough, else skip. Errors: usage, for a
-// traversal that does not exist; input, for one that does not hold the tree.
-std::string chooseTraversal(const std::string& asked, const Bvh& bvh);
+// `asked` itself, or for "auto" the fastest of those that the tree fits, as measured in
+// docs/performance.md. While eight copies of the tree are small these are the octants, with two
+// nodes a step where the device is a CPU, else with one. Above, it is the stack while it is deep
+// enough, else skip. Errors: usage, for a traversal that does not exist; input, for one that does
+// not hold the tree.
+std::string chooseTraversal(const std::string& asked, const Bvh& bvh, bool software);
 
 }  // namespace glimt

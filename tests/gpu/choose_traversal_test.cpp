@@ -26,16 +26,21 @@ Bvh chain(std::size_t inner_nodes, std::size_t primitives) {
 }  // namespace
 
 TEST_CASE("auto takes the octants for small trees, however deep they are") {
-  CHECK(chooseTraversal("auto", chain(3, 1000)) == "octant-ahead");
-  CHECK(chooseTraversal("auto", chain(100, 1000)) == "octant-ahead");
+  CHECK(chooseTraversal("auto", chain(3, 1000), true) == "octant-ahead");
+  CHECK(chooseTraversal("auto", chain(100, 1000), true) == "octant-ahead");
+}
+
+TEST_CASE("auto looks one node ahead on a CPU only") {
+  CHECK(chooseTraversal("auto", chain(3, 1000), true) == "octant-ahead");
+  CHECK(chooseTraversal("auto", chain(3, 1000), false) == "octant");
 }
 
 TEST_CASE("auto takes the stack for large trees only while it is deep enough") {
-  CHECK(chooseTraversal("auto", chain(STACK_SIZE - 1, 600000)) == "stack");
-  CHECK(chooseTraversal("auto", chain(STACK_SIZE, 600000)) == "skip");
+  CHECK(chooseTraversal("auto", chain(STACK_SIZE - 1, 600000), true) == "stack");
+  CHECK(chooseTraversal("auto", chain(STACK_SIZE, 600000), true) == "skip");
 }
 
 TEST_CASE("a traversal that is asked for by name is taken, and an unknown one is refused") {
-  CHECK(chooseTraversal("trail", chain(3, 1000)) == "trail");
-  CHECK_THROWS_AS(chooseTraversal("magic", chain(3, 1000)), Error);
+  CHECK(chooseTraversal("trail", chain(3, 1000), true) == "trail");
+  CHECK_THROWS_AS(chooseTraversal("magic", chain(3, 1000), true), Error);
 }
