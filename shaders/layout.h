@@ -16,8 +16,8 @@
 #define NODE_GRID 4096.0
 #define ROOT_PAIR 2.0
 
-// The deepest trees that the traversals hold, in levels of inner nodes with one for the end: places on
-// the stack of traverse_stack.glsl, bits of the trail of traverse_trail.glsl.
+// The deepest trees that the traversals hold, in levels of inner nodes with one for the end: places
+// on the stack of traverse_stack.glsl, bits of the trail of traverse_trail.glsl.
 #define STACK_SIZE 32
 #define TRAIL_SIZE 24
 
