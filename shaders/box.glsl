@@ -1,12 +1,29 @@
-// Ray against a box whose corners are in no order: the distance at which the ray enters it, or
-// FAR_AWAY where the box is missed or begins behind t.
-float boxDistance(vec3 packed_corners, GridRay ray, float t) {
+// Ray against the box of a node: the slab test. Depends on node_data.glsl.
+
+// Distances to the planes of a box's two corners.
+Corners distancesTo(vec3 packed_corners, GridRay ray) {
   Corners box = unpackCorners(packed_corners);
-  vec3 t0 = box.first * ray.inverse + ray.offset;
-  vec3 t1 = box.second * ray.inverse + ray.offset;
-  vec3 near = min(t0, t1);
-  vec3 far = max(t0, t1);
-  float enter = max(max(near.x, near.y), max(near.z, 0.0));
-  float leave = min(min(far.x, far.y), min(far.z, t)) * BOX_SLACK;
-  return enter <= leave ? enter : FAR_AWAY;
+  return Corners(box.first * ray.inverse + ray.offset, box.second * ray.inverse + ray.offset);
+}
+
+// Where a ray is inside a box, as distances; nowhere, if it leaves before it enters.
+struct Passage {
+  float enter;
+  float leave;
+};
+
+// By the distances to the planes where the ray enters and leaves, as far as t.
+Passage passageOf(vec3 near, vec3 far, float t) {
+  return Passage(max(max(near.x, near.y), max(near.z, 0.0)),
+                 min(min(far.x, far.y), min(far.z, t)) * BOX_SLACK);
+}
+
+bool isMet(Passage passage) {
+  return passage.enter <= passage.leave;
+}
+
+// For a box whose corners are in no order.
+Passage passageThrough(vec3 packed_corners, GridRay ray, float t) {
+  Corners planes = distancesTo(packed_corners, ray);
+  return passageOf(min(planes.first, planes.second), max(planes.first, planes.second), t);
 }

@@ -6,7 +6,7 @@
 // boxes: they are stored as the corner where the ray enters and the corner where it leaves. Each
 // copy ends with a node that counts as a leaf whether it is met or not, so that walking needs one
 // test.
-uniform float uNodesPerOctant;  // with the one at the end
+uniform float uNodesPerCopy;  // with the one at the end
 
 struct Walk {
   GridRay ray;
@@ -18,15 +18,11 @@ struct Walk {
 Walk startWalk(vec3 origin, vec3 direction, bool wanted) {
   vec3 negative = 1.0 - step(vec3(0.0), direction);
   float octant = dot(negative, vec3(1.0, 2.0, 4.0));
-  float node = octant * uNodesPerOctant + (wanted ? 0.0 : uNodesPerOctant - 1.0);
+  float node = octant * uNodesPerCopy + (wanted ? 0.0 : uNodesPerCopy - 1.0);
   return Walk(rayOnGrid(origin, direction), uNodesStep, node, 1.0);
 }
 
 bool meetsBox(vec4 node, GridRay ray, float t) {
-  Corners box = unpackCorners(node.xyz);
-  vec3 t0 = box.first * ray.inverse + ray.offset;
-  vec3 t1 = box.second * ray.inverse + ray.offset;
-  float enter = max(max(t0.x, t0.y), max(t0.z, 0.0));
-  float leave = min(min(t1.x, t1.y), min(t1.z, t)) * BOX_SLACK;
-  return enter <= leave;
+  Corners box = distancesTo(node.xyz, ray);
+  return isMet(passageOf(box.first, box.second, t));
 }

@@ -1,5 +1,6 @@
 // Skip links in one order, the same for all rays: the tree is stored once, depth first. The least
 // memory and the simplest code, but the farther child often comes first.
+uniform float uNodesPerCopy;  // with the one at the end
 
 struct Walk {
   GridRay ray;
@@ -8,16 +9,14 @@ struct Walk {
   float link;
 };
 
-uniform float uNodeCount;  // with the one at the end
-
 Walk startWalk(vec3 origin, vec3 direction, bool wanted) {
-  return Walk(rayOnGrid(origin, direction), uNodesStep, wanted ? 0.0 : uNodeCount - 1.0, 1.0);
+  return Walk(rayOnGrid(origin, direction), uNodesStep, wanted ? 0.0 : uNodesPerCopy - 1.0, 1.0);
 }
 
 void walkToLeaf(inout Walk walk, float t) {
   for (int i = 0; i < MAX_STEPS; i++) {
     vec4 node = texture2D(uNodes, texelAddress(walk.node, walk.texel_step));
-    bool met = boxDistance(node.xyz, walk.ray, t) < FAR_AWAY;
+    bool met = isMet(passageThrough(node.xyz, walk.ray, t));
     walk.link = node.w;
     walk.node = met || node.w < 0.0 ? walk.node + 1.0 : node.w;
     if (node.w == 0.0 || (met && node.w < 0.0)) break;

@@ -1,6 +1,5 @@
 // A stack without arrays: STACK_SIZE floats that move by one place at a push and at a pop. One copy of
-// the tree, in which the children of a node are neighbours, so that one step tests both and goes on
-// with the nearer one.
+// the tree. Depends on node_pair.glsl.
 
 struct Stack {
   vec4 a;
@@ -59,16 +58,9 @@ void walkToLeaf(inout Walk walk, float t) {
       walk.waiting = popped(walk.waiting);
       break;
     }
-    vec2 at = texelAddress(walk.next, walk.texel_step);
-    vec4 lower = texture2D(uNodes, at);
-    vec4 upper = texture2D(uNodes, at + walk.texel_step);
-    float to_lower = boxDistance(lower.xyz, walk.ray, t);
-    float to_upper = boxDistance(upper.xyz, walk.ray, t);
-    bool any = min(to_lower, to_upper) < FAR_AWAY;
-    bool both = max(to_lower, to_upper) < FAR_AWAY;
-    bool lower_first = to_lower <= to_upper;
-    walk.next = any ? (lower_first ? lower.w : upper.w) : walk.waiting.a.x;
-    if (both) walk.waiting = pushed(walk.waiting, lower_first ? upper.w : lower.w);
-    if (!any) walk.waiting = popped(walk.waiting);
+    PairHit pair = meetPair(walk.next, walk.texel_step, walk.ray, t);
+    walk.next = pair.any ? pair.nearer : walk.waiting.a.x;
+    if (pair.both) walk.waiting = pushed(walk.waiting, pair.farther);
+    if (!pair.any) walk.waiting = popped(walk.waiting);
   }
 }

@@ -1,6 +1,6 @@
 // The restart trail of Laine 2010, "Restart Trail for Stackless BVH Traversal": one bit a level says
 // whether the nearer child is done with; what is left is found by going down again from the root.
-// The bits are those of a whole number in a float, the root's the highest.
+// The bits are those of a whole number in a float, the root's the highest. Depends on node_pair.glsl.
 
 #define ROOT_LEVEL 8388608.0
 
@@ -43,21 +43,14 @@ void walkToLeaf(inout Walk walk, float t) {
     if (walk.node < 0.0) restart(walk);
     walk.link = walk.node;
     if (walk.node == 0.0) break;
-    vec2 at = texelAddress(walk.node, walk.texel_step);
-    vec4 lower = texture2D(uNodes, at);
-    vec4 upper = texture2D(uNodes, at + walk.texel_step);
-    float to_lower = boxDistance(lower.xyz, walk.ray, t);
-    float to_upper = boxDistance(upper.xyz, walk.ray, t);
-    bool any = min(to_lower, to_upper) < FAR_AWAY;
-    bool both = max(to_lower, to_upper) < FAR_AWAY;
+    PairHit pair = meetPair(walk.node, walk.texel_step, walk.ray, t);
     bool nearer_done = isOdd(floor(walk.trail / walk.level));
-    bool to_farther = both && nearer_done;
-    bool lower_next = (to_lower <= to_upper) != to_farther;
     // With one child left where the trail says that one is done with, that one is it.
-    bool go = any && (both || walk.level != walk.pop_level);
+    bool go = pair.any && (pair.both || walk.level != walk.pop_level);
     // A child without a sibling leaves nothing to come back to.
-    if (go && !both && !nearer_done) walk.trail += walk.level;
-    float next = go ? (lower_next ? lower.w : upper.w) : -1.0;
+    if (go && !pair.both && !nearer_done) walk.trail += walk.level;
+    float child = pair.both && nearer_done ? pair.farther : pair.nearer;
+    float next = go ? child : -1.0;
     walk.node = next;
     walk.level *= go ? 0.5 : 1.0;
     if (go && next <= 0.0) {

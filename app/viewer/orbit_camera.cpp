@@ -60,11 +60,8 @@ void OrbitCamera::orbit(Vec2 drag) {
 }
 
 void OrbitCamera::pan(Vec2 drag) {
-  const Vec3 forward = glm::normalize(camera_.target - camera_.position);
-  const Vec3 right = glm::normalize(glm::cross(forward, camera_.up));
-  const Vec3 up = glm::cross(right, forward);
-  const float height = 2 * distance_ * std::tan(glm::radians(camera_.vertical_fov) / 2);
-  const Vec3 shift = height * (drag.y * up - drag.x * right);
+  const CameraFrame frame(camera_);
+  const Vec3 shift = 2 * distance_ * frame.half_height * (drag.y * frame.up - drag.x * frame.right);
   camera_.target += shift;
   camera_.position += shift;
 }

@@ -67,20 +67,17 @@ std::size_t Rays::countLive() const {
 
 Rays makeCameraRays(const Camera& camera, int side) {
   Random random(7);
-  const Vec3 forward = glm::normalize(camera.target - camera.position);
-  const Vec3 right = glm::normalize(glm::cross(forward, camera.up));
-  const Vec3 up = glm::cross(right, forward);
-  const float half_height = std::tan(glm::radians(camera.vertical_fov) / 2);
+  const CameraFrame frame(camera);
   const auto onPicture = [&](int pixel) {
     return ((static_cast<float>(pixel) + random.next()) / static_cast<float>(side) * 2 - 1) *
-           half_height;
+           frame.half_height;
   };
   Rays rays;
   for (int row = 0; row < side; ++row)
     for (int column = 0; column < side; ++column) {
       const float x = onPicture(column);
       const float y = onPicture(row);
-      add(rays, camera.position, glm::normalize(forward + x * right + y * up));
+      add(rays, camera.position, glm::normalize(frame.forward + x * frame.right + y * frame.up));
     }
   return rays;
 }

@@ -1,12 +1,8 @@
 #include "renderer/bench/embree_ceiling.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cstring>
-#include <limits>
 #include <thread>
 
 namespace glimt {
@@ -15,37 +11,6 @@ namespace {
 // Rays that a thread takes at a time: enough to make the counter cheap, few enough that no thread
 // is left with a long rest.
 constexpr std::size_t kChunk = 1024;
-
-RTCRay makeRay(const Vec4& origin, const Vec4& direction, float far) {
-  RTCRay ray{};
-  ray.org_x = origin.x;
-  ray.org_y = origin.y;
-  ray.org_z = origin.z;
-  ray.dir_x = direction.x;
-  ray.dir_y = direction.y;
-  ray.dir_z = direction.z;
-  ray.tfar = far;
-  ray.mask = 0xffffffffu;
-  return ray;
-}
-
-float closestHit(RTCScene scene, const Vec4& origin, const Vec4& direction) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  RTCRayHit query{};
-  query.ray = makeRay(origin, direction, std::numeric_limits<float>::infinity());
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(scene, &context, &query);
-  return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? -1.0f : query.ray.tfar;
-}
-
-float visibility(RTCScene scene, const Vec4& origin, const Vec4& direction) {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  RTCRay ray = makeRay(origin, direction, 1);
-  rtcOccluded1(scene, &context, &ray);
-  return ray.tfar < 0 ? 0.0f : 1.0f;
-}
 
 template <typename Query>
 std::vector<float> castAll(const Rays& rays, const Query& query) {
@@ -57,7 +22,7 @@ std::vector<float> castAll(const Rays& rays, const Query& query) {
       if (begin >= rays.size()) return;
       const std::size_t end = std::min(begin + kChunk, rays.size());
       for (std::size_t i = begin; i < end; ++i)
-        if (rays.live(i)) results[i] = query(rays.origins[i], rays.directions[i]);
+        if (rays.live(i)) results[i] = query(Vec3(rays.origins[i]), Vec3(rays.directions[i]));
     }
   };
   std::vector<std::jthread> others;
@@ -67,65 +32,28 @@ std::vector<float> castAll(const Rays& rays, const Query& query) {
   return results;
 }
 
-void attachTriangles(RTCDevice device, RTCScene target, const Scene& scene) {
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  void* const positions = rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3), scene.positions.size());
-  std::memcpy(positions, scene.positions.data(), scene.positions.size() * sizeof(Vec3));
-  auto* corners = static_cast<std::uint32_t*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                              3 * sizeof(std::uint32_t), scene.triangles.size()));
-  for (const Triangle& triangle : scene.triangles)
-    corners = std::copy(triangle.positions.begin(), triangle.positions.end(), corners);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(target, geometry);
-  rtcReleaseGeometry(geometry);
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace
 
-class EmbreeCeiling::State {
- public:
-  explicit State(const Scene& source) : device_(rtcNewDevice(nullptr)) {
-    scene_ = rtcNewScene(device_);
-    const auto start = std::chrono::steady_clock::now();
-    attachTriangles(device_, scene_, source);
-    rtcCommitScene(scene_);
-    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  }
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
-  ~State() {
-    rtcReleaseScene(scene_);
-    rtcReleaseDevice(device_);
-  }
-
-  RTCScene scene() const { return scene_; }
-  double seconds() const { return seconds_; }
-
- private:
-  RTCDevice device_;
-  RTCScene scene_;
-  double seconds_ = 0;
-};
-
-EmbreeCeiling::EmbreeCeiling(const Scene& scene) : state_(std::make_unique<State>(scene)) {}
-EmbreeCeiling::EmbreeCeiling(EmbreeCeiling&&) noexcept = default;
-EmbreeCeiling::~EmbreeCeiling() = default;
-
-double EmbreeCeiling::buildSeconds() const {
-  return state_->seconds();
+// The clock starts before the scene is built and is read after.
+EmbreeCeiling::EmbreeCeiling(const Scene& scene)
+    : build_seconds_(now()), scene_(scene, RTC_SCENE_FLAG_NONE) {
+  build_seconds_ = now() - build_seconds_;
 }
 
 std::vector<float> EmbreeCeiling::closestHits(const Rays& rays) const {
-  return castAll(rays, [this](const Vec4& origin, const Vec4& direction) {
-    return closestHit(state_->scene(), origin, direction);
+  return castAll(rays, [this](const Vec3& origin, const Vec3& direction) {
+    const auto hit = scene_.closestHit(origin, direction);
+    return hit ? hit->t : -1.0f;
   });
 }
 
 std::vector<float> EmbreeCeiling::visibilities(const Rays& rays) const {
-  return castAll(rays, [this](const Vec4& origin, const Vec4& direction) {
-    return visibility(state_->scene(), origin, direction);
+  return castAll(rays, [this](const Vec3& origin, const Vec3& direction) {
+    return scene_.occluded(origin, direction) ? 0.0f : 1.0f;
   });
 }
 

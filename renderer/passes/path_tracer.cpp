@@ -175,16 +175,13 @@ void PathTracer::bindSamplePoint(gl::Program& program, const Stage& stage) const
 }
 
 void PathTracer::bindCamera(gl::Program& program) const {
-  const Vec3 forward = glm::normalize(camera_.target - camera_.position);
-  const Vec3 right = glm::normalize(glm::cross(forward, camera_.up));
-  const Vec3 up = glm::cross(right, forward);
-  const float half_height = std::tan(glm::radians(camera_.vertical_fov) / 2);
+  const CameraFrame frame(camera_);
   const float half_width =
-      half_height * static_cast<float>(film_.width()) / static_cast<float>(film_.height());
+      frame.half_height * static_cast<float>(film_.width()) / static_cast<float>(film_.height());
   program.set("uCameraPosition", camera_.position);
-  program.set("uCameraForward", forward);
-  program.set("uCameraRight", right * half_width);
-  program.set("uCameraUp", up * half_height);
+  program.set("uCameraForward", frame.forward);
+  program.set("uCameraRight", frame.right * half_width);
+  program.set("uCameraUp", frame.up * frame.half_height);
 }
 
 }  // namespace glimt

@@ -140,8 +140,7 @@ void SceneTextures::bind(gl::Program& program) const {
   bindData(program, "uMaterials", materials_);
   bindData(program, "uNormals", normals_);
   bindData(program, "uLights", lights_);
-  program.set("uNodesPerOctant", static_cast<float>(nodes_per_copy_));
-  program.set("uNodeCount", static_cast<float>(nodes_per_copy_));
+  program.set("uNodesPerCopy", static_cast<float>(nodes_per_copy_));
   program.set("uTriangleCount", static_cast<float>(triangle_count_));
   program.set("uGridOrigin", grid_origin_);
   program.set("uGridCell", grid_cell_);

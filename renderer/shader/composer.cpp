@@ -121,10 +121,13 @@ std::string composeProbe(const std::vector<std::string>& files, const std::strin
 }
 
 std::string composeTraversalProbe(const std::string& traversal, const std::string& text) {
-  return composeProbe({"layout.h", "constants.glsl", "float_fields.glsl", "octahedral.glsl",
-                       "hit_record.glsl", "triangle.glsl", "texel_address.glsl",
-                       "triangle_data.glsl", "traversal.glsl", "node_data.glsl"},
-                      traversalText(traversal) + text);
+  std::string shader = "#version 100\n" + shaderText("prelude.glsl");
+  for (const Piece& piece : kPieces) {
+    if (!(piece.passes & kCamera)) continue;
+    if (piece.file == kTraversal) break;
+    shader += shaderText(piece.file);
+  }
+  return shader + traversalText(traversal) + text;
 }
 
 }  // namespace glimt

@@ -20,7 +20,6 @@ struct Traversal {
   TreeLayout layout;
   std::vector<std::string> files;  // in the order in which they are put together
   std::size_t most_levels;         // the largest stackSizeOf() that it holds
-  std::string idea;                // for people, a few words
 };
 
 // All of them, those first that are tried first.

@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "renderer/bench/embree_scene.h"
 #include "tests/gpu/contexts.h"
-#include "tests/gpu/embree_scene.h"
 #include "tests/gpu/exact_hits.h"
 #include "tests/gpu/test_rays.h"
 #include "tests/gpu/test_scene.h"
@@ -11,7 +11,6 @@
 #include "tests/shader/report.h"
 
 using namespace glimt;
-using test::MeshHit;
 using test::Rays;
 
 namespace {
@@ -79,87 +78,91 @@ Comparison compare(const Scene& scene, const Rays& rays, const std::vector<Vec4>
   return sum;
 }
 
-// Each traversal on the first context, and the first traversal on each driver. The linear one would
-// take minutes and, on llvmpipe, more turns than a loop has.
+// Each traversal that holds the scene's tree on the first context, and the first traversal on each
+// driver. The linear one would take minutes and, on llvmpipe, more turns than a loop has.
 template <class Test>
-void onEveryTraversal(const Test& test) {
+void onEveryTraversal(const std::string& name, const Scene& scene, const Test& test) {
   test::onEveryContext([&](const test::TestContext& context) {
     const bool first = &context == &test::contexts().front();
     if (!first && context.egl()) return;
     for (const Traversal& traversal : traversals()) {
       if (traversal.layout == TreeLayout::none) continue;
-      if (first || traversal.name == traversals().front().name) test(context, traversal);
+      if (!first && traversal.name != traversals().front().name) continue;
+      const SceneTextures textures(context.device(), scene, traversal.layout);
+      if (textures.stackSize() > traversal.most_levels) {
+        test::report("{}: too deep for {}", name, traversal.name);
+        continue;
+      }
+      CAPTURE(context.name(), name, traversal.name);
+      test(context, traversal, textures);
     }
   });
 }
 
 void compareClosestHits(const std::string& name, const Scene& scene, const Rays& rays) {
-  const test::EmbreeScene embree(scene);
+  const EmbreeScene embree(scene, RTC_SCENE_FLAG_ROBUST);
   std::vector<std::optional<MeshHit>> expected;
   for (std::size_t i = 0; i < rays.size(); ++i)
     expected.push_back(embree.closestHit(rays.origin(i), rays.direction(i)));
 
-  onEveryTraversal([&](const test::TestContext& context, const Traversal& traversal) {
-    CAPTURE(context.name(), name, traversal.name);
-    const SceneTextures textures(context.device(), scene, traversal.layout);
-    if (textures.stackSize() > traversal.most_levels) {
-      test::report("{}: too deep for {}", name, traversal.name);
-      return;
-    }
-    test::TraversalProbe probe(context.device(), test::kClosestHit, traversal.name);
-    const std::vector<Vec4> found = probe.run(textures, {rays.origins, rays.directions});
-    const Comparison sum = compare(scene, rays, found, expected);
-    test::report(
-        "{}, {}, {}: {} of {} rays hit, t differs from Embree's by up to {:.1e}; {} hit only here, "
-        "{} only in Embree, {} another triangle at the same distance, {} at another distance from "
-        "starts of up to {:.1e} m off its plane; of these glimt is wrong in {}, Embree in {}",
-        name, context.name(), traversal.name, sum.hits, rays.size(), sum.worst, sum.only_glimt,
-        sum.only_embree, sum.ties, sum.further, sum.highest, sum.glimt_wrong, sum.embree_wrong);
-    CHECK(sum.hits > rays.size() / 2);
-    CHECK(sum.unknown == 0);
-    CHECK(sum.only_glimt + sum.only_embree == 0);
-    CHECK(sum.judged <= kMostJudged);
-    // Rays that graze a triangle or start close to it: the height of their start is what decides
-    // the distance, and loses the same bits wherever it is.
-    CHECK(sum.highest < 2e-3);
-    CHECK(sum.glimt_wrong == 0);
-  });
+  onEveryTraversal(
+      name, scene,
+      [&](const test::TestContext& context, const Traversal& traversal,
+          const SceneTextures& textures) {
+        test::TraversalProbe probe(context.device(), test::kClosestHit, traversal.name);
+        const std::vector<Vec4> found = probe.run(textures, {rays.origins, rays.directions});
+        const Comparison sum = compare(scene, rays, found, expected);
+        test::report(
+            "{}, {}, {}: {} of {} rays hit, t differs from Embree's by up to {:.1e}; {} hit only "
+            "here, "
+            "{} only in Embree, {} another triangle at the same distance, {} at another distance "
+            "from "
+            "starts of up to {:.1e} m off its plane; of these glimt is wrong in {}, Embree in {}",
+            name, context.name(), traversal.name, sum.hits, rays.size(), sum.worst, sum.only_glimt,
+            sum.only_embree, sum.ties, sum.further, sum.highest, sum.glimt_wrong, sum.embree_wrong);
+        CHECK(sum.hits > rays.size() / 2);
+        CHECK(sum.unknown == 0);
+        CHECK(sum.only_glimt + sum.only_embree == 0);
+        CHECK(sum.judged <= kMostJudged);
+        // Rays that graze a triangle or start close to it: the height of their start is what
+        // decides the distance, and loses the same bits wherever it is.
+        CHECK(sum.highest < 2e-3);
+        CHECK(sum.glimt_wrong == 0);
+      });
 }
 
 void compareVisibility(const std::string& name, const Scene& scene) {
   const Rays rays = test::segmentsIn(test::boundsOf(scene), kRays);
-  const test::EmbreeScene embree(scene);
+  const EmbreeScene embree(scene, RTC_SCENE_FLAG_ROBUST);
   std::vector<bool> occluded;
   for (std::size_t i = 0; i < rays.size(); ++i)
     occluded.push_back(embree.occluded(rays.origin(i), rays.direction(i)));
 
-  onEveryTraversal([&](const test::TestContext& context, const Traversal& traversal) {
-    CAPTURE(context.name(), name, traversal.name);
-    const SceneTextures textures(context.device(), scene, traversal.layout);
-    if (textures.stackSize() > traversal.most_levels) {
-      test::report("{}: too deep for {}", name, traversal.name);
-      return;
-    }
-    test::TraversalProbe probe(context.device(), test::kVisibility, traversal.name);
-    const std::vector<Vec4> seen = probe.run(textures, {rays.origins, rays.directions});
-    std::size_t visible = 0, unknown = 0, different = 0, wrong = 0;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-      if (seen[i].x > 0) ++visible;
-      if (seen[i].x < 0) ++unknown;
-      const bool blocked = seen[i].x == 0;
-      if (blocked == occluded[i]) continue;
-      if (++different > kMostJudged) continue;
-      if (!test::ExactHits(scene, rays.origin(i), rays.direction(i)).allowsOccluded(blocked))
-        ++wrong;
-    }
-    test::report("{}, {}, {}: {} of {} segments are free; {} differ from Embree, {} of them wrong",
-                 name, context.name(), traversal.name, visible, rays.size(), different, wrong);
-    CHECK(visible > rays.size() / 100);
-    CHECK(visible < rays.size() / 100 * 99);
-    CHECK(unknown == 0);
-    CHECK(different <= kMostJudged);
-    CHECK(wrong == 0);
-  });
+  onEveryTraversal(
+      name, scene,
+      [&](const test::TestContext& context, const Traversal& traversal,
+          const SceneTextures& textures) {
+        test::TraversalProbe probe(context.device(), test::kVisibility, traversal.name);
+        const std::vector<Vec4> seen = probe.run(textures, {rays.origins, rays.directions});
+        std::size_t visible = 0, unknown = 0, different = 0, wrong = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+          if (seen[i].x > 0) ++visible;
+          if (seen[i].x < 0) ++unknown;
+          const bool blocked = seen[i].x == 0;
+          if (blocked == occluded[i]) continue;
+          if (++different > kMostJudged) continue;
+          if (!test::ExactHits(scene, rays.origin(i), rays.direction(i)).allowsOccluded(blocked))
+            ++wrong;
+        }
+        test::report(
+            "{}, {}, {}: {} of {} segments are free; {} differ from Embree, {} of them wrong", name,
+            context.name(), traversal.name, visible, rays.size(), different, wrong);
+        CHECK(visible > rays.size() / 100);
+        CHECK(visible < rays.size() / 100 * 99);
+        CHECK(unknown == 0);
+        CHECK(different <= kMostJudged);
+        CHECK(wrong == 0);
+      });
 }
 
 }  // namespace

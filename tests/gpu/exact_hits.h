@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/bench/embree_scene.h"
 #include "renderer/scene/scene.h"
-#include "tests/gpu/embree_scene.h"
 
 namespace glimt::test {
 

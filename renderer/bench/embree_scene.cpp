@@ -1,9 +1,9 @@
-#include "tests/gpu/embree_scene.h"
+#include "renderer/bench/embree_scene.h"
 
 #include <cstring>
 #include <limits>
 
-namespace glimt::test {
+namespace glimt {
 namespace {
 
 RTCRay makeRay(const Vec3& origin, const Vec3& direction, float far) {
@@ -21,9 +21,9 @@ RTCRay makeRay(const Vec3& origin, const Vec3& direction, float far) {
 
 }  // namespace
 
-EmbreeScene::EmbreeScene(const Scene& scene)
+EmbreeScene::EmbreeScene(const Scene& scene, RTCSceneFlags flags)
     : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_.get())) {
-  rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneFlags(scene_.get(), flags);
   RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* positions = static_cast<float*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -59,4 +59,4 @@ bool EmbreeScene::occluded(const Vec3& origin, const Vec3& direction) const {
   return ray.tfar < 0;
 }
 
-}  // namespace glimt::test
+}  // namespace glimt

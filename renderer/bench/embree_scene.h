@@ -9,7 +9,7 @@
 
 #include "renderer/scene/scene.h"
 
-namespace glimt::test {
+namespace glimt {
 
 struct MeshHit {
   std::uint32_t triangle;  // into Scene::triangles
@@ -18,8 +18,8 @@ struct MeshHit {
 
 class EmbreeScene {
  public:
-  // In Embree's robust mode.
-  explicit EmbreeScene(const Scene& scene);
+  // `flags`: RTC_SCENE_FLAG_NONE is Embree at its fastest, RTC_SCENE_FLAG_ROBUST without cracks.
+  EmbreeScene(const Scene& scene, RTCSceneFlags flags);
 
   std::optional<MeshHit> closestHit(const Vec3& origin, const Vec3& direction) const;
 
@@ -35,4 +35,4 @@ class EmbreeScene {
   std::unique_ptr<RTCSceneTy, Release> scene_;
 };
 
-}  // namespace glimt::test
+}  // namespace glimt
