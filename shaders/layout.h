@@ -4,8 +4,8 @@
 // Nodes of the tree, one texel each. Boxes are on a grid over the scene: whole coordinates below
 // NODE_GRID, two packed into one float as first + NODE_GRID * second.
 //
-// In depth-first order, ended by one more node (octant_nodes.glsl, traverse_skip.glsl). For ray
-// octants there are eight copies, in which `first` is the corner where a ray enters.
+// In depth-first order, ended by one more node (skip_walk.glsl). For ray octants there are eight
+// copies, in which `first` is the corner where a ray enters.
 //   x, y, z: the box; an inner node: index of the node that follows when its box is missed; a leaf:
 //   -1 - index of its first triangle; the node at the end: 0
 //

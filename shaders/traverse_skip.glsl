@@ -1,16 +1,8 @@
-// Skip links in one order, the same for all rays: the tree is stored once, depth first. The least
-// memory and the simplest code, but the farther child often comes first.
-uniform float uNodesPerCopy;  // with the one at the end
-
-struct Walk {
-  GridRay ray;
-  vec2 texel_step;  // a uniform that is read inside a loop is read again at each turn
-  float node;       // the next to visit
-  float link;
-};
+// Skip links in one order, the same for all rays: the tree is stored once. The least memory and the
+// simplest code, but the farther child often comes first. Depends on skip_walk.glsl and box.glsl.
 
 Walk startWalk(vec3 origin, vec3 direction, bool wanted) {
-  return Walk(rayOnGrid(origin, direction), uNodesStep, wanted ? 0.0 : uNodesPerCopy - 1.0, 1.0);
+  return walkFrom(0.0, origin, direction, wanted);
 }
 
 void walkToLeaf(inout Walk walk, float t) {
