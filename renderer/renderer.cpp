@@ -21,8 +21,8 @@ double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-std::array<double, 5> filled(double value) {
-  std::array<double, 5> values;
+std::array<double, kPassCount> filled(double value) {
+  std::array<double, kPassCount> values;
   values.fill(value);
   return values;
 }
@@ -53,7 +53,7 @@ class Renderer::State {
   void drawDisplay(int width, int height, float exposure) {
     if (!display_)
       display_.emplace(device.gl(), nameOf(Pass::display), composeVertexShader(),
-                       composeFragmentShader({Pass::display, {}, {}, false}));
+                       composeFragmentShader({Pass::display}));
     display_->use();
     display_->set("uZero", Vec4(0));
     display_->set("uMean", tracer.film().mean.front().texture());
@@ -69,7 +69,7 @@ class Renderer::State {
  private:
   std::optional<gl::Program> display_;
   // For each pass; at first a guess that is slow enough.
-  std::array<double, 5> seconds_per_pixel_ = filled(kDrawSeconds / 16384);
+  std::array<double, kPassCount> seconds_per_pixel_ = filled(kDrawSeconds / 16384);
 };
 
 Renderer::Renderer(ContextHandle& context, const Scene& scene, const RenderSettings& settings)

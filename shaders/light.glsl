@@ -1,11 +1,7 @@
-// The light pass: what a hit record adds to its pixel. Emission that the path has met, and one
-// sample of the light that arrives there.
+// The light pass: what a path that has met a triangle adds to its pixel. Emission found there, and one
+// sample of the light that arrives.
 uniform sampler2D uRecord;
 uniform float uLastSurface;  // 1 where no further ray will look for emission, else 0
-
-#if !ADDITIVE_BLENDING
-uniform sampler2D uRadiance;
-#endif
 
 // Marks a pixel whose path is not known. It stays negative whatever is added.
 const vec3 RADIANCE_UNKNOWN = vec3(-1.0e30);
@@ -39,27 +35,19 @@ vec3 reflectedRadiance(HitRecord record, Surface surface, vec4 random, bool want
 
 vec3 radianceOf(vec4 texel, vec4 random) {
   HitRecord record = decodeHitRecord(texel);
-  bool ended = isEnded(texel);
-  bool hit = !ended && record.triangle < TRIANGLE_UNKNOWN;
+  bool wanted = isOnSurface(texel);
+  bool hit = wanted && record.triangle < TRIANGLE_UNKNOWN;
   Surface surface = surfaceOf(record);
   vec3 radiance = emittedRadiance(record, surface) * record.weight;
 #if TRIANGLE_LIGHTS || ENVIRONMENT
   radiance += reflectedRadiance(record, surface, random, hit);
 #endif
-#if ENVIRONMENT
-  if (record.triangle == TRIANGLE_NONE)
-    radiance = environmentRadiance(record.direction) * record.weight;
-#endif
   if (record.triangle == TRIANGLE_UNKNOWN) radiance = RADIANCE_UNKNOWN;
-  return ended ? vec3(0.0) : record.throughput * radiance;
+  return wanted ? record.throughput * radiance : vec3(0.0);
 }
 
 void main() {
   vec2 pixel = pixelCenter();
   vec4 texel = texture2D(uRecord, pictureAddress(pixel));
-  vec4 radiance = vec4(radianceOf(texel, samplePoint(pixel)), 0.0);
-#if !ADDITIVE_BLENDING
-  radiance += texture2D(uRadiance, pictureAddress(pixel));
-#endif
-  writeTexel(radiance);
+  addRadiance(radianceOf(texel, samplePoint(pixel)), pixel);
 }

@@ -45,6 +45,7 @@ Device::Device(Context& context)
     : gl_(&context.functions()),
       info_(context.info()),
       float_form_(requireFloatForm(*gl_)),
+      stencil_form_(findStencilForm(*gl_, float_form_)),
       triangle_(makeTriangle(*gl_)) {
   gl_->GetIntegerv(GL_MAX_TEXTURE_SIZE, &max_texture_size_);
   // Desktop GL blends whatever it can draw to; ES wants an extension for 32-bit floats.
@@ -54,19 +55,25 @@ Device::Device(Context& context)
   gl_->BlendFunc(GL_ONE, GL_ONE);
 }
 
-void Device::draw(const Tile& tile) const {
+void Device::draw(const Tile& tile, const DrawState& state) const {
   gl_->Enable(GL_SCISSOR_TEST);
   gl_->Scissor(tile.x, tile.y, tile.width, tile.height);
+  if (state.adding) gl_->Enable(GL_BLEND);
+  if (state.limit != Limit::none) {
+    gl_->Enable(GL_STENCIL_TEST);
+    gl_->StencilFunc(GL_EQUAL, 0, 255);
+    gl_->StencilOp(GL_KEEP, GL_KEEP, state.limit == Limit::unmarked ? GL_KEEP : GL_INCR);
+  }
+  drawTriangle();
+  gl_->Disable(GL_BLEND);
+  gl_->Disable(GL_STENCIL_TEST);
+}
+
+void Device::drawTriangle() const {
   gl_->BindBuffer(GL_ARRAY_BUFFER, triangle_.name());
   gl_->EnableVertexAttribArray(0);
   gl_->VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
-}
-
-void Device::drawAdding(const Tile& tile) const {
-  gl_->Enable(GL_BLEND);
-  draw(tile);
-  gl_->Disable(GL_BLEND);
 }
 
 }  // namespace glimt::gl

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "renderer/gl/context.h"
+#include "renderer/gl/stencil.h"
 #include "renderer/gl/target.h"
 
 namespace glimt::gl {
@@ -15,6 +16,11 @@ struct Tile {
   int y = 0;
   int width = 0;
   int height = 0;
+};
+
+struct DrawState {
+  bool adding = false;  // to what the target holds, instead of replacing it
+  Limit limit = Limit::none;
 };
 
 // The first of `forms` in which a target really keeps four full floats: integers of 24 bits are
@@ -32,19 +38,23 @@ class Device {
   FloatForm floatForm() const { return float_form_; }
   int maxTextureSize() const { return max_texture_size_; }
 
-  // Whether draws can be added to a float target (drawAdding).
+  // Whether draws can be added to a float target.
   bool floatBlending() const { return float_blending_; }
 
-  // Runs the program in use once for each pixel of the tile of the bound target.
-  void draw(const Tile& tile) const;
+  // How a float target gets a stencil; none where it cannot have one.
+  std::optional<StencilForm> stencilForm() const { return stencil_form_; }
 
-  // The same, adding to what the target holds.
-  void drawAdding(const Tile& tile) const;
+  // Runs the program in use once for each pixel of the tile of the bound target that the state lets
+  // through.
+  void draw(const Tile& tile, const DrawState& state = {}) const;
 
  private:
+  void drawTriangle() const;
+
   const Functions* gl_;
   ContextInfo info_;
   FloatForm float_form_;
+  std::optional<StencilForm> stencil_form_;
   int max_texture_size_ = 0;
   bool float_blending_ = false;
   BufferHandle triangle_;

@@ -16,6 +16,7 @@ using ProcLoader = std::function<void*(const char* name)>;
   X(BindAttribLocation, PFNGLBINDATTRIBLOCATIONPROC)           \
   X(BindBuffer, PFNGLBINDBUFFERPROC)                           \
   X(BindFramebuffer, PFNGLBINDFRAMEBUFFERPROC)                 \
+  X(BindRenderbuffer, PFNGLBINDRENDERBUFFERPROC)               \
   X(BindTexture, PFNGLBINDTEXTUREPROC)                         \
   X(BlendFunc, PFNGLBLENDFUNCPROC)                             \
   X(BufferData, PFNGLBUFFERDATAPROC)                           \
@@ -28,6 +29,7 @@ using ProcLoader = std::function<void*(const char* name)>;
   X(DeleteBuffers, PFNGLDELETEBUFFERSPROC)                     \
   X(DeleteFramebuffers, PFNGLDELETEFRAMEBUFFERSPROC)           \
   X(DeleteProgram, PFNGLDELETEPROGRAMPROC)                     \
+  X(DeleteRenderbuffers, PFNGLDELETERENDERBUFFERSPROC)         \
   X(DeleteShader, PFNGLDELETESHADERPROC)                       \
   X(DeleteTextures, PFNGLDELETETEXTURESPROC)                   \
   X(Disable, PFNGLDISABLEPROC)                                 \
@@ -35,9 +37,11 @@ using ProcLoader = std::function<void*(const char* name)>;
   X(Enable, PFNGLENABLEPROC)                                   \
   X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC) \
   X(Finish, PFNGLFINISHPROC)                                   \
+  X(FramebufferRenderbuffer, PFNGLFRAMEBUFFERRENDERBUFFERPROC) \
   X(FramebufferTexture2D, PFNGLFRAMEBUFFERTEXTURE2DPROC)       \
   X(GenBuffers, PFNGLGENBUFFERSPROC)                           \
   X(GenFramebuffers, PFNGLGENFRAMEBUFFERSPROC)                 \
+  X(GenRenderbuffers, PFNGLGENRENDERBUFFERSPROC)               \
   X(GenTextures, PFNGLGENTEXTURESPROC)                         \
   X(GetError, PFNGLGETERRORPROC)                               \
   X(GetIntegerv, PFNGLGETINTEGERVPROC)                         \
@@ -50,8 +54,11 @@ using ProcLoader = std::function<void*(const char* name)>;
   X(LinkProgram, PFNGLLINKPROGRAMPROC)                         \
   X(PixelStorei, PFNGLPIXELSTOREIPROC)                         \
   X(ReadPixels, PFNGLREADPIXELSPROC)                           \
+  X(RenderbufferStorage, PFNGLRENDERBUFFERSTORAGEPROC)         \
   X(Scissor, PFNGLSCISSORPROC)                                 \
   X(ShaderSource, PFNGLSHADERSOURCEPROC)                       \
+  X(StencilFunc, PFNGLSTENCILFUNCPROC)                         \
+  X(StencilOp, PFNGLSTENCILOPPROC)                             \
   X(TexImage2D, PFNGLTEXIMAGE2DPROC)                           \
   X(TexParameteri, PFNGLTEXPARAMETERIPROC)                     \
   X(Uniform1f, PFNGLUNIFORM1FPROC)                             \

@@ -40,6 +40,9 @@ struct DeleteTexture {
 struct DeleteFramebuffer {
   void operator()(const Functions& gl, GLuint name) const { gl.DeleteFramebuffers(1, &name); }
 };
+struct DeleteRenderbuffer {
+  void operator()(const Functions& gl, GLuint name) const { gl.DeleteRenderbuffers(1, &name); }
+};
 struct DeleteBuffer {
   void operator()(const Functions& gl, GLuint name) const { gl.DeleteBuffers(1, &name); }
 };
@@ -52,6 +55,7 @@ struct DeleteProgram {
 
 using TextureHandle = Handle<DeleteTexture>;
 using FramebufferHandle = Handle<DeleteFramebuffer>;
+using RenderbufferHandle = Handle<DeleteRenderbuffer>;
 using BufferHandle = Handle<DeleteBuffer>;
 using ShaderHandle = Handle<DeleteShader>;
 using ProgramHandle = Handle<DeleteProgram>;

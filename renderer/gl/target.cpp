@@ -40,6 +40,13 @@ void Target::clear() const {
   gl.Clear(GL_COLOR_BUFFER_BIT);
 }
 
+void Target::clearStencil() const {
+  const Functions& gl = texture_.gl();
+  bind();
+  gl.Disable(GL_SCISSOR_TEST);
+  gl.Clear(GL_STENCIL_BUFFER_BIT);
+}
+
 std::vector<Vec4> Target::readFloats() const {
   std::vector<Vec4> texels(static_cast<std::size_t>(width()) * height());
   bind();

@@ -24,6 +24,9 @@ class Target {
   // To zero.
   void clear() const;
 
+  // Takes all marks off; see stencil.h.
+  void clearStencil() const;
+
   // The whole content, rows from the bottom. Each for a texture of its kind.
   std::vector<Vec4> readFloats() const;
   std::vector<unsigned char> readBytes() const;

@@ -19,10 +19,19 @@ void checkSize(const gl::Device& device, int width, int height) {
 
 }  // namespace
 
+bool canDrawLiveOnly(const gl::Device& device) {
+  return device.floatBlending() && device.stencilForm().has_value();
+}
+
 TargetPair::TargetPair(const gl::Device& device, int width, int height, bool both) {
   for (std::size_t i = 0; i < (both ? 2 : 1); ++i)
     targets_[i] = gl::Target(gl::Texture::floats(device.gl(), device.floatForm(), width, height));
   clear();
+}
+
+void TargetPair::attach(const gl::Stencil& stencil) const {
+  for (const gl::Target& target : targets_)
+    if (target.width() > 0) stencil.attachTo(target);
 }
 
 Film::Film(const gl::Device& device, int width, int height) {
@@ -30,6 +39,10 @@ Film::Film(const gl::Device& device, int width, int height) {
   record = TargetPair(device, width, height);
   radiance = TargetPair(device, width, height, !device.floatBlending());
   mean = TargetPair(device, width, height);
+  if (!canDrawLiveOnly(device)) return;
+  stencil = gl::Stencil(device.gl(), *device.stencilForm(), width, height);
+  record.attach(stencil);
+  radiance.attach(stencil);
 }
 
 }  // namespace glimt

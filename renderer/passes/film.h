@@ -17,11 +17,16 @@ class TargetPair {
   const gl::Target& back() const { return targets_[1 - front_]; }  // to write
   void swap() { front_ = 1 - front_; }
   void clear() const { front().clear(); }
+  void attach(const gl::Stencil& stencil) const;
 
  private:
   std::array<gl::Target, 2> targets_;
   std::size_t front_ = 0;
 };
+
+// Whether draws can be limited to pixels with a live path. Not where radiance is added by reading,
+// since every pixel has to be written then.
+bool canDrawLiveOnly(const gl::Device& device);
 
 struct Film {
   Film() = default;
@@ -34,6 +39,7 @@ struct Film {
   TargetPair record;    // hit records of this bounce and of the next
   TargetPair radiance;  // of this sample; two only where the device cannot blend floats
   TargetPair mean;      // mean of the samples so far; their number in the fourth channel
+  gl::Stencil stencil;  // of record and radiance, where draws are limited to live paths
 };
 
 }  // namespace glimt

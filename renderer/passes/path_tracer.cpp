@@ -39,22 +39,42 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
       traversal_(chooseTraversal(settings.traversal, tree.bvh, device.info().software)),
       scene_(device, scene, tree, traversalNamed(traversal_).layout),
       offsets_(points_.makeOffsets(device)),
+      effects_(effectsOf(scene)),
+      bounces_(settings.bounces),
+      live_only_(settings.live_only && canDrawLiveOnly(device)),
       camera_(scene.camera) {
-  compile(scene);
-  for (int bounce = 0; bounce <= settings.bounces; ++bounce) {
+  planStages();
+  compile();
+}
+
+void PathTracer::planStages() {
+  stages_.clear();
+  for (int bounce = 0; bounce <= bounces_; ++bounce) {
     stages_.push_back({bounce == 0 ? Pass::camera : Pass::trace, bounce});
+    if (has(effects_, Effect::environment) || marksEnded(bounce))
+      stages_.push_back({Pass::escape, bounce});
     stages_.push_back({Pass::light, bounce});
   }
   stages_.push_back({Pass::accumulate, 0});
 }
 
-void PathTracer::compile(const Scene& scene) {
+// Marking ended paths costs a draw and spares those that follow from them. It pays after the
+// camera, where it is the background, and where the first sample left less than half of the picture
+// alive.
+bool PathTracer::marksEnded(int bounce) const {
+  if (!live_only_) return false;
+  return bounce == 0 || (rays_counted_ && alive_[static_cast<std::size_t>(bounce)] < 0.5);
+}
+
+void PathTracer::compile() {
   const auto start = std::chrono::steady_clock::now();
   const std::string vertex = composeVertexShader();
-  for (const Pass pass : {Pass::camera, Pass::trace, Pass::light, Pass::accumulate}) {
-    const ShaderRequest request{pass, effectsOf(scene), traversal_, device_->floatBlending()};
-    programs_.emplace(
-        pass, gl::Program(device_->gl(), nameOf(pass), vertex, composeFragmentShader(request)));
+  for (const Stage& stage : stages_) {
+    if (programs_.contains(stage.pass)) continue;
+    const ShaderRequest request{stage.pass, effects_, traversal_, device_->floatBlending(),
+                                live_only_};
+    programs_.emplace(stage.pass, gl::Program(device_->gl(), nameOf(stage.pass), vertex,
+                                              composeFragmentShader(request)));
   }
   compile_seconds_ =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -93,7 +113,10 @@ double PathTracer::drawTile(double pixels) {
     row_ = 0;
     endStage(stage);
     stage_ = (stage_ + 1) % stages_.size();
-    if (stage_ == 0) ++samples_;
+    if (stage_ == 0) {
+      if (samples_ == 0) planStages();
+      ++samples_;
+    }
   }
   return static_cast<double>(tile.width) * tile.height;
 }
@@ -111,7 +134,12 @@ gl::Tile PathTracer::nextTile(double pixels) const {
 }
 
 void PathTracer::beginStage(const Stage& stage) {
-  if (stage.pass == Pass::camera) film_.radiance.clear();
+  const bool traces = stage.pass == Pass::camera || stage.pass == Pass::trace;
+  if (stage.pass == Pass::camera) {
+    film_.radiance.clear();
+    if (live_only_) film_.radiance.front().clearStencil();
+  }
+  if (traces && live_only_) film_.record.back().clear();  // what is not drawn has ended
 }
 
 void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
@@ -129,27 +157,30 @@ void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
   scene_.bind(program);
   bindSamplePoint(program, stage);
   program.set("uRecord", film_.record.front().texture());
-  if (stage.pass != Pass::light) {
+  gl::DrawState state;
+  if (live_only_)
+    state.limit = stage.pass == Pass::escape ? gl::Limit::unmarked_then_mark : gl::Limit::unmarked;
+  if (stage.pass == Pass::camera || stage.pass == Pass::trace) {
     bindCamera(program);
     film_.record.back().bind();
-    device_->draw(tile);
+    device_->draw(tile, state);
     return;
   }
-  program.set("uLastSurface", stage.bounce == stages_[stages_.size() - 2].bounce ? 1.0f : 0.0f);
+  program.set("uLastSurface", stage.bounce == bounces_ ? 1.0f : 0.0f);
   if (device_->floatBlending()) {
+    state.adding = true;
     film_.radiance.front().bind();
-    device_->drawAdding(tile);
   } else {
     program.set("uRadiance", film_.radiance.front().texture());
     film_.radiance.back().bind();
-    device_->draw(tile);
   }
+  device_->draw(tile, state);
 }
 
 void PathTracer::endStage(const Stage& stage) {
   if (stage.pass == Pass::accumulate) {
     film_.mean.swap();
-  } else if (stage.pass == Pass::light) {
+  } else if (stage.pass == Pass::escape || stage.pass == Pass::light) {
     if (!device_->floatBlending()) film_.radiance.swap();
   } else {
     film_.record.swap();
@@ -160,8 +191,12 @@ void PathTracer::endStage(const Stage& stage) {
 void PathTracer::countRays(const Stage& stage) {
   const std::vector<Vec4> records = film_.record.front().readFloats();
   const auto hits = static_cast<double>(std::count_if(records.begin(), records.end(), isHit));
-  const bool last = stage.bounce == stages_[stages_.size() - 2].bounce;
-  if (stage.pass == Pass::camera) rays_ = {static_cast<double>(records.size()), 0, 0};
+  const bool last = stage.bounce == bounces_;
+  if (stage.pass == Pass::camera) {
+    alive_.clear();
+    rays_ = {static_cast<double>(records.size()), 0, 0};
+  }
+  alive_.push_back(hits / static_cast<double>(records.size()));
   if (!last) rays_.bounce += hits;
   rays_.shadow += hits;
   rays_counted_ = last;

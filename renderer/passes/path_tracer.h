@@ -17,6 +17,8 @@ struct PathTracerSettings {
   int bounces = 4;
   std::uint32_t seed = 0;
   std::string traversal = "auto";
+  bool live_only =
+      true;  // passes are drawn for live paths only, where the device can; same picture
 };
 
 // Rays of the first sample.
@@ -59,7 +61,9 @@ class PathTracer {
   PathTracer(const gl::Device& device, const Scene& scene, const PathTracerSettings& settings,
              const SceneTree& tree);
   gl::Program& program(Pass pass) { return programs_.at(pass); }
-  void compile(const Scene& scene);
+  void planStages();
+  bool marksEnded(int bounce) const;
+  void compile();
   gl::Tile nextTile(double pixels) const;
   void beginStage(const Stage& stage);
   void drawStage(const Stage& stage, const gl::Tile& tile);
@@ -73,10 +77,15 @@ class PathTracer {
   std::string traversal_;
   SceneTextures scene_;
   gl::Texture offsets_;
+  EffectSet effects_;
+  int bounces_;
+  bool live_only_;
   std::map<Pass, gl::Program> programs_;
   std::vector<Stage> stages_;
   Film film_;
   Camera camera_;
+  std::vector<double>
+      alive_;  // share of the paths that met a triangle, for each bounce; of the first sample
   RayCounts rays_;
   double compile_seconds_ = 0;
   bool rays_counted_ = false;

@@ -20,6 +20,7 @@ constexpr unsigned bit(Pass pass) {
 }
 constexpr unsigned kCamera = bit(Pass::camera);
 constexpr unsigned kTrace = bit(Pass::trace);
+constexpr unsigned kEscape = bit(Pass::escape);
 constexpr unsigned kLight = bit(Pass::light);
 constexpr unsigned kPaths = kCamera | kTrace | kLight;
 constexpr unsigned kBounces = kTrace | kLight;  // start from a hit record
@@ -36,16 +37,16 @@ constexpr const char* kTraversal = "traverse_*.glsl";
 // In the order in which they are put together: a file comes after those that it calls.
 const auto kPieces = std::to_array<Piece>({
     {"layout.h", kPaths, {}},
-    {"picture.glsl", kPaths | bit(Pass::accumulate), {}},
-    {"constants.glsl", kPaths, {}},
+    {"picture.glsl", kPaths | kEscape | bit(Pass::accumulate), {}},
+    {"constants.glsl", kPaths | kEscape, {}},
     {"sample_points.glsl", kPaths, {}},
-    {"float_fields.glsl", kPaths, {}},
-    {"octahedral.glsl", kPaths, {}},
-    {"hit_record.glsl", kPaths, {}},
+    {"float_fields.glsl", kPaths | kEscape, {}},
+    {"octahedral.glsl", kPaths | kEscape, {}},
+    {"hit_record.glsl", kPaths | kEscape, {}},
     {"triangle.glsl", kPaths, {}},
     {"frame.glsl", kBounces, {}},
-    {"warp.glsl", kBounces, {}},
-    {"lambert.glsl", kBounces, {}},
+    {"warp.glsl", kBounces | kEscape, {}},
+    {"lambert.glsl", kBounces | kEscape, {}},
     {"ray_origin.glsl", kBounces, {}},
     {"multiple_importance.glsl", kBounces, {}},
     {"texel_address.glsl", kPaths, {}},
@@ -59,9 +60,11 @@ const auto kPieces = std::to_array<Piece>({
     {"camera.glsl", kCamera, {}},
     {"light_share.glsl", kBounces, {}},
     {"light_table.glsl", kLight, Effect::triangle_lights},
-    {"environment.glsl", kLight, Effect::environment},
+    {"environment.glsl", kLight | kEscape, Effect::environment},
     {"light_sample.glsl", kLight, {}},
+    {"radiance_target.glsl", kLight | kEscape, {}},
     {"trace.glsl", kCamera | kTrace, {}},
+    {"escape.glsl", kEscape, {}},
     {"light.glsl", kLight, {}},
     {"accumulate.glsl", bit(Pass::accumulate), {}},
     {"display_transform.glsl", bit(Pass::display), {}},
@@ -76,8 +79,10 @@ std::string traversalText(const std::string& name) {
 
 // `#if NAME` needs every name defined, to 1 or to 0.
 std::string defines(const ShaderRequest& request) {
-  std::string text = fmt::format("#define FROM_CAMERA {:d}\n#define ADDITIVE_BLENDING {:d}\n",
-                                 request.pass == Pass::camera, request.additive_blending);
+  std::string text = fmt::format(
+      "#define FROM_CAMERA {:d}\n#define ADDITIVE_BLENDING {:d}\n"
+      "#define LIVE_ONLY {:d}\n",
+      request.pass == Pass::camera, request.additive_blending, request.live_only);
   for (int i = 0; i < kEffectCount; ++i) {
     std::string name = nameOf(static_cast<Effect>(i));
     std::transform(name.begin(), name.end(), name.begin(),
@@ -90,7 +95,7 @@ std::string defines(const ShaderRequest& request) {
 }  // namespace
 
 std::string nameOf(Pass pass) {
-  constexpr std::array kNames{"camera", "trace", "light", "accumulate", "display"};
+  constexpr std::array kNames{"camera", "trace", "escape", "light", "accumulate", "display"};
   return kNames[static_cast<std::size_t>(pass)];
 }
 

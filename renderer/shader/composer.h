@@ -12,16 +12,19 @@ namespace glimt {
 enum class Pass {
   camera,      // camera ray -> hit record
   trace,       // hit record -> next hit record
-  light,       // hit record -> radiance
+  escape,      // hit record that has left the scene -> radiance
+  light,       // hit record on a surface -> radiance
   accumulate,  // radiance -> mean
   display,     // mean -> display values
 };
+inline constexpr std::size_t kPassCount = 6;
 
 struct ShaderRequest {
   Pass pass = Pass::display;
   EffectSet effects;
   std::string traversal = "octant";  // see traversals.h
-  bool additive_blending = true;     // the light pass adds by blending, not by reading
+  bool additive_blending = true;     // radiance is added by blending, not by reading
+  bool live_only = false;            // draws are limited to live paths; see escape.glsl
 };
 
 // The name of a pass, for messages.

@@ -152,14 +152,14 @@ TEST_CASE("whole numbers of 24 bits are calculated and written exactly") {
 TEST_CASE("every pass writes its texel once, under no condition") {
   const std::string prelude = shaderText("prelude.glsl");
   for (const Pass pass :
-       {Pass::camera, Pass::trace, Pass::light, Pass::accumulate, Pass::display}) {
+       {Pass::camera, Pass::trace, Pass::escape, Pass::light, Pass::accumulate, Pass::display}) {
     CAPTURE(nameOf(pass));
     ShaderRequest request;
     request.pass = pass;
     request.effects.set();
     const std::string text = composeFragmentShader(request);
     CHECK(countOf("writeTexel(", text) == countOf("writeTexel(", prelude) + 1);
-    CHECK(countOf("\n  writeTexel(", text) == 1);  // in main itself
+    CHECK(countOf("\n  writeTexel(", text) == 1);  // in main, or in what it ends with
     CHECK(countOf("gl_FragColor", text) == countOf("gl_FragColor", prelude));
   }
 }

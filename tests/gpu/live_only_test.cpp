@@ -1,0 +1,71 @@
+// Drawing the passes for live paths only changes the time they take, and not the picture.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "renderer/passes/path_tracer.h"
+#include "tests/gpu/contexts.h"
+
+using namespace glimt;
+using glimt::test::TestContext;
+
+namespace {
+
+constexpr int kWidth = 48;
+constexpr int kHeight = 32;
+
+void addTriangle(Scene& scene, Vec3 a, Vec3 b, Vec3 c, std::uint32_t material) {
+  const auto first = static_cast<std::uint32_t>(scene.positions.size());
+  scene.positions.insert(scene.positions.end(), {a, b, c});
+  Triangle triangle;
+  triangle.positions = {first, first + 1, first + 2};
+  triangle.material = material;
+  scene.triangles.push_back(triangle);
+}
+
+// A floor that leaves a part of the picture free, a slanted sheet above it, and a lamp.
+Scene openScene(Vec3 environment) {
+  Scene scene;
+  Material white;
+  white.base_color = Vec3(0.8f);
+  Material lamp;
+  lamp.emission = Vec3(20.0f);
+  scene.materials = {white, lamp};
+  addTriangle(scene, {-3, 0, -3}, {3, 0, -3}, {0, 0, 3}, 0);
+  addTriangle(scene, {-1, 0, -1}, {1, 0.2f, -1}, {0, 2, 0}, 0);
+  addTriangle(scene, {-0.5f, 3, 0}, {0.5f, 3, 0}, {0, 3, 0.5f}, 1);
+  scene.environment.color = environment;
+  scene.camera.position = {0, 1.5f, 8};
+  scene.camera.target = {0, 1, 0};
+  return scene;
+}
+
+std::vector<Vec4> picture(const TestContext& context, const Scene& scene, bool live_only) {
+  PathTracerSettings settings;
+  settings.live_only = live_only;
+  PathTracer tracer(context.device(), scene, settings);
+  tracer.resize(kWidth, kHeight);
+  while (tracer.samples() < 5) tracer.drawTile(512);
+  return tracer.film().mean.front().readFloats();
+}
+
+double sumOf(const std::vector<Vec4>& texels) {
+  double sum = 0;
+  for (const Vec4& texel : texels) sum += texel.x + texel.y + texel.z;
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("passes for live paths only give the same picture, bit for bit") {
+  test::onEveryContext([](const TestContext& context) {
+    CAPTURE(context.name());
+    CHECK(canDrawLiveOnly(context.device()));  // or there is nothing to compare
+    for (const float sky : {0.0f, 0.7f}) {
+      CAPTURE(sky);
+      const Scene scene = openScene(Vec3(sky));
+      const std::vector<Vec4> limited = picture(context, scene, true);
+      CHECK(sumOf(limited) > 0);
+      CHECK(limited == picture(context, scene, false));
+    }
+  });
+}
