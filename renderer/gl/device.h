@@ -1,9 +1,6 @@
 // What the passes need to know and have of a context.
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "renderer/gl/context.h"
 #include "renderer/gl/target.h"
 
@@ -16,11 +13,6 @@ struct Tile {
   int width = 0;
   int height = 0;
 };
-
-// The first of `forms` in which a target really keeps four full floats: integers of 24 bits are
-// written and read back. A framebuffer that calls itself complete proves nothing, since some
-// drivers quietly give 8 bits. None where no form passes.
-std::optional<FloatForm> findFloatForm(const Functions& gl, const std::vector<FloatForm>& forms);
 
 class Device {
  public:
