@@ -1,10 +1,9 @@
-#include "renderer/doctor.h"
-
 #include <fmt/format.h>
 
 #include "app/commands.h"
 #include "app/json_output.h"
 #include "renderer/core/error.h"
+#include "renderer/doctor.h"
 
 namespace glimt {
 namespace {
@@ -24,7 +23,7 @@ Json jsonOf(const std::vector<Finding>& findings, const ContextInfo& context) {
 std::string textOf(const std::vector<Finding>& findings) {
   std::string text;
   for (const Finding& finding : findings)
-    text += fmt::format("{:<8} {:<23} {}\n{:<32} {}\n", nameOf(finding.verdict), finding.name,
+    text += fmt::format("{:<8} {:<23} {}\n{:<8} {}\n", nameOf(finding.verdict), finding.name,
                         finding.result, "", finding.consequence);
   return text +
          (isUsable(findings) ? "pictures come out right here\n" : "pictures would be wrong here\n");

@@ -10,7 +10,7 @@ namespace glimt {
 
 enum class Verdict {
   ok,
-  warning,  // pictures are right, or say where they are not
+  warning,  // pictures are right within limits, which the consequence tells
   fatal,    // pictures would be wrong
 };
 

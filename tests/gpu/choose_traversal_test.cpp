@@ -5,6 +5,7 @@
 #include "renderer/passes/data_texture.h"
 #include "renderer/passes/scene_tree.h"
 #include "shaders/layout.h"
+#include "tests/gpu/coincident_triangles.h"
 #include "tests/unit/expect_error.h"
 
 using namespace glimt;
@@ -30,16 +31,6 @@ constexpr int kUsualTexture = 16384;  // pixels a side
 std::string choose(const std::string& asked, const Bvh& bvh, bool software,
                    int max_texture_size = kUsualTexture) {
   return chooseTraversal(asked, bvh, software, mostTexels(max_texture_size));
-}
-
-Scene sceneOf(std::size_t triangles) {
-  Scene scene;
-  scene.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  scene.materials.resize(1);
-  Triangle triangle;
-  triangle.positions = {0, 1, 2};
-  scene.triangles.assign(triangles, triangle);
-  return scene;
 }
 
 }  // namespace
@@ -69,9 +60,9 @@ TEST_CASE("a scene is refused where its triangles do not fit into the device's t
   CHECK(mostTriangles(16384) == (1u << 23) / 3);  // indices have 23 bits
   CHECK(mostTriangles(64) == 64 * 64 / 3);
   CHECK(mostTriangles(100) == 64 * 64 / 3);  // sizes are powers of two
-  CHECK(buildSceneTree(sceneOf(1365), 64).bvh.order.size() == 1365);
+  CHECK(buildSceneTree(test::coincidentTriangles(1365), 64).bvh.order.size() == 1365);
   const std::string message =
-      messageOf(ErrorKind::input, [] { buildSceneTree(sceneOf(1366), 64); });
+      messageOf(ErrorKind::input, [] { buildSceneTree(test::coincidentTriangles(1366), 64); });
   CHECK(message.find("1,366 triangles") != std::string::npos);
   CHECK(message.find("1,365 fit") != std::string::npos);
 }

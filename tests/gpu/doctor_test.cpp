@@ -5,14 +5,14 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "renderer/probes/arithmetic_probes.h"
-#include "renderer/probes/record_probes.h"
 #include "tests/gpu/altered_context.h"
+#include "tests/gpu/coincident_triangles.h"
 #include "tests/gpu/contexts.h"
 #include "tests/shader/report.h"
 #include "tests/unit/expect_error.h"
 
 using namespace glimt;
+using test::coincidentTriangles;
 using test::TestContext;
 
 namespace {
@@ -72,22 +72,24 @@ const Finding& named(const std::vector<Finding>& findings, const std::string& na
   return *found;
 }
 
-Scene sceneOf(std::size_t triangles) {
-  Scene scene;
-  scene.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
-  scene.materials.resize(1);
-  scene.environment.color = Vec3(1);
-  Triangle triangle;
-  triangle.positions = {0, 1, 2};
-  scene.triangles.assign(triangles, triangle);
-  return scene;
+// As the library gets it.
+ContextHandle handleOf(const TestContext& context) {
+  return ContextHandle(test::alteredContext(context.context(), [](gl::Functions&) {}));
+}
+
+RenderSettings tinyPicture(const std::string& traversal) {
+  RenderSettings settings;
+  settings.traversal = traversal;
+  settings.width = settings.height = 4;
+  settings.bounces = 0;
+  return settings;
 }
 
 }  // namespace
 
 TEST_CASE("the doctor finds nothing fatal on any context here") {
   test::onEveryContext([](const TestContext& context) {
-    ContextHandle handle(test::alteredContext(context.context(), [](gl::Functions&) {}));
+    ContextHandle handle = handleOf(context);
     const std::vector<Finding> findings = examine(handle);
     CHECK(findings.size() == 16);
     for (const Finding& finding : findings) {
@@ -135,8 +137,8 @@ TEST_CASE("small textures are a warning, and too small for a scene an error with
   const Finding size = named(examine(context), "texture size");
   CHECK(size.verdict == Verdict::warning);
   CHECK(size.consequence.find("1,365 triangles") != std::string::npos);
-  const std::string message =
-      messageOf(ErrorKind::input, [&] { Renderer(context, sceneOf(1366), RenderSettings()); });
+  const std::string message = messageOf(
+      ErrorKind::input, [&] { Renderer(context, coincidentTriangles(1366), RenderSettings()); });
   CHECK(message.find("1,366 triangles") != std::string::npos);
   CHECK(message.find("1,365 fit") != std::string::npos);
 }
@@ -144,15 +146,35 @@ TEST_CASE("small textures are a warning, and too small for a scene an error with
 TEST_CASE("traversal linear is refused more triangles than a loop makes turns") {
   test::onEveryContext([](const TestContext& context) {
     CAPTURE(context.name());
-    ContextHandle handle(test::alteredContext(context.context(), [](gl::Functions&) {}));
-    RenderSettings settings;
-    settings.traversal = "linear";
-    settings.width = settings.height = 4;
-    settings.bounces = 0;
-    const std::string message =
-        messageOf(ErrorKind::input, [&] { Renderer(handle, sceneOf(65537), settings); });
+    ContextHandle handle = handleOf(context);
+    const RenderSettings settings = tinyPicture("linear");
+    const std::string message = messageOf(
+        ErrorKind::input, [&] { Renderer(handle, coincidentTriangles(65537), settings); });
     CHECK(message.find("65,537") != std::string::npos);
     CHECK(message.find("--traversal auto") != std::string::npos);
-    Renderer(handle, sceneOf(60000), settings).renderSample();
+    // A driver makes that many: see loop_limit_test.cpp.
+    Renderer(handle, coincidentTriangles(60000), settings).renderSample();
+  });
+}
+
+TEST_CASE("what the last sample lost to traversals cut short is told") {
+  test::onEveryContext([](const TestContext& context) {
+    CAPTURE(context.name());
+    ContextHandle handle = handleOf(context);
+    const RenderSettings settings = tinyPicture("skip");
+    Renderer small(handle, coincidentTriangles(1000), settings);
+    small.renderSample();
+    CHECK(small.nonfinitePixels() == 0);
+    CHECK(small.lastLosses().cut_short == 0);
+    // All triangles fill the same box, so the tree is of no use.
+    Renderer crowded(handle, coincidentTriangles(70000), settings);
+    crowded.renderSample();
+    const Losses losses = crowded.lastLosses();
+    CHECK(losses.cut_short == crowded.nonfinitePixels());
+    CHECK(losses.not_finite == 0);
+    const auto limit = crowded.loopLimit();
+    if (limit) CHECK(losses.cut_short > 0);
+    if (context.device().info().renderer.find("llvmpipe") != std::string::npos)
+      CHECK(limit.has_value());
   });
 }
