@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/commands.h"
 #include "app/json_output.h"
 #include "renderer/core/error.h"
@@ -25,8 +27,12 @@ std::string textOf(const std::vector<Finding>& findings) {
   for (const Finding& finding : findings)
     text += fmt::format("{:<8} {:<23} {}\n{:<8} {}\n", nameOf(finding.verdict), finding.name,
                         finding.result, "", finding.consequence);
-  return text +
-         (isUsable(findings) ? "pictures come out right here\n" : "pictures would be wrong here\n");
+  if (!isUsable(findings)) return text + "pictures would be wrong here\n";
+  const bool limited = std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
+    return finding.verdict == Verdict::warning;
+  });
+  return text + fmt::format("pictures come out right here{}\n",
+                            limited ? ", within the limits that the warnings tell" : "");
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ Outcome examineAddresses(const gl::Device& device) {
   const std::size_t triangles = size / static_cast<std::size_t>(TRIANGLE_TEXELS);
   if (probe.wrong == 0)
     return {fmt::format("{}; none in one of {}", result, grouped(size)), Verdict::warning,
-            fmt::format("scenes of up to {} come out right, larger ones wrong",
+            fmt::format("scenes whose data is larger come out wrong: more than {} in any case",
                         counted(triangles, "triangle"))};
   return {result, Verdict::fatal, "rays read other triangles and nodes than they ask for"};
 }
