@@ -60,6 +60,10 @@ void smallTextures(GLenum name, GLint* value) {
   if (name == GL_MAX_TEXTURE_SIZE) *value = 64;
 }
 
+void neverBlend(GLenum capability) {
+  if (capability != GL_BLEND) realFunctions().Enable(capability);
+}
+
 void halfPrecision(GLenum, GLenum, GLint* range, GLint* precision) {
   range[0] = range[1] = 15;
   *precision = 10;
@@ -118,12 +122,23 @@ TEST_CASE("targets that lose one bit are fatal to numbers and records") {
       wrongContext([](gl::Functions& gl) { gl.ReadPixels = readTwentyThreeBits; });
   const std::vector<Finding> findings = examine(context);
   CHECK(named(findings, "float targets").verdict == Verdict::ok);
-  for (const char* name : {"guards against 16 bits", "whole numbers", "numbers of all sizes",
-                           "hit record", "texel addresses"}) {
+  for (const char* name :
+       {"guards against 16 bits", "whole numbers", "numbers of all sizes", "hit record"}) {
     CAPTURE(name);
     CHECK(named(findings, name).verdict == Verdict::fatal);
   }
+  // Smaller indices are still right.
+  const Finding& addresses = named(findings, "texel addresses");
+  CHECK(addresses.verdict == Verdict::warning);
+  CHECK(addresses.result.find("none in one of") != std::string::npos);
   CHECK_FALSE(isUsable(findings));
+}
+
+TEST_CASE("blending that replaces instead of adding is fatal, where the driver claims it") {
+  ContextHandle context = wrongContext([](gl::Functions& gl) { gl.Enable = neverBlend; });
+  const Finding blending = named(examine(context), "float blending");
+  const bool claimed = test::contexts().front().device().floatBlending();
+  CHECK(blending.verdict == (claimed ? Verdict::fatal : Verdict::ok));
 }
 
 TEST_CASE("shaders that claim half precision are fatal") {
