@@ -76,6 +76,7 @@ class CommandLine {
   InfoOptions info_;
   CompareOptions compare_;
   BenchOptions bench_;
+  DoctorOptions doctor_;
   std::vector<Command> commands_;
 };
 
@@ -104,6 +105,10 @@ CommandLine::CommandLine() {
   CLI::App* const bench = app_.add_subcommand("bench", "How fast the renderer's parts are here");
   addBenchOptions(*bench, bench_);
   commands_.push_back({bench, [this] { return runBench(bench_); }});
+
+  CLI::App* const doctor = app_.add_subcommand("doctor", "Whether pictures come out right here");
+  addDoctorOptions(*doctor, doctor_);
+  commands_.push_back({doctor, [this] { return runDoctor(doctor_); }});
 }
 
 CLI::App* CommandLine::commandNamed(const std::string& name) const {

@@ -46,10 +46,17 @@ struct BenchOptions {
   std::string json;
 };
 
+struct DoctorOptions {
+  int gles = 2;
+  Backend backend = Backend::automatic;
+  std::string json;
+};
+
 int runRender(const RenderOptions& options);
 int runView(const ViewOptions& options);
 int runInfo(const InfoOptions& options);
 int runCompare(const CompareOptions& options);
 int runBench(const BenchOptions& options);
+int runDoctor(const DoctorOptions& options);
 
 }  // namespace glimt

@@ -179,6 +179,12 @@ void addBenchOptions(CLI::App& command, BenchOptions& options) {
   addJson(command, options.json);
 }
 
+void addDoctorOptions(CLI::App& command, DoctorOptions& options) {
+  addGles(command, options.gles);
+  addBackend(command, options.backend);
+  addJson(command, options.json);
+}
+
 Camera cameraOf(const CameraOptions& options, const Scene& scene) {
   if (!options.name.empty()) {
     throw Error(ErrorKind::usage, fmt::format("the scene has no camera named '{}'; use --eye, "

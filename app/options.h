@@ -40,6 +40,7 @@ struct ViewOptions;
 struct InfoOptions;
 struct CompareOptions;
 struct BenchOptions;
+struct DoctorOptions;
 
 // What the options hold is valid once the command line has been parsed. Errors: usage.
 void addRenderOptions(CLI::App& command, RenderOptions& options);
@@ -47,6 +48,7 @@ void addViewOptions(CLI::App& command, ViewOptions& options);
 void addInfoOptions(CLI::App& command, InfoOptions& options);
 void addCompareOptions(CLI::App& command, CompareOptions& options);
 void addBenchOptions(CLI::App& command, BenchOptions& options);
+void addDoctorOptions(CLI::App& command, DoctorOptions& options);
 
 // The scene's camera with the parts that the options replace. Errors: usage, for a name that the
 // scene does not have, and for a camera without a direction.

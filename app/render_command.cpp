@@ -32,6 +32,7 @@ class RenderCommand {
   void checkOutputs() const;
   Scene load();
   void render(Renderer& renderer);
+  std::string lossesOf(Renderer& renderer) const;
   void writePictures(Renderer& renderer, float exposure) const;
   void warn(const std::string& what);
   void endIfInterrupted() const;
@@ -98,10 +99,15 @@ void RenderCommand::render(Renderer& renderer) {
   report_.render = sampling.seconds;
   report_.nonfinite_pixels = renderer.nonfinitePixels();
   if (sampling.interrupted) warn("interrupted after " + counted(report_.samples, "sample"));
-  if (report_.nonfinite_pixels > 0) {
-    warn(counted(report_.nonfinite_pixels, "pixel") +
-         " lost samples: values that were not finite, or rays that took too many steps");
-  }
+  if (report_.nonfinite_pixels > 0) warn(lossesOf(renderer));
+}
+
+// The driver's loop limit is measured only where it may be what cut rays short.
+std::string RenderCommand::lossesOf(Renderer& renderer) const {
+  const Losses last = renderer.lastLosses();
+  const bool by_values = last.not_finite > 0 && last.cut_short == 0;
+  const auto loop_limit = by_values ? std::nullopt : renderer.loopLimit();
+  return warningOf(report_.nonfinite_pixels, last, loop_limit);
 }
 
 // A file that cannot be written does not keep the others from being written.

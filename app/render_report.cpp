@@ -53,6 +53,24 @@ Json jsonOf(const RenderReport& report) {
           {"warnings", report.warnings}};
 }
 
+std::string warningOf(int nonfinite_pixels, const Losses& last,
+                      const std::optional<std::uint32_t>& loop_limit) {
+  const std::string pixels = counted(static_cast<std::uintmax_t>(nonfinite_pixels), "pixel");
+  const std::string steps =
+      loop_limit ? fmt::format("rays that took more steps than the {} this driver allows",
+                               grouped(*loop_limit))
+                 : "rays that took too many steps";
+  const std::string values = "values that were not finite";
+  if (last.cut_short == 0 && last.not_finite == 0)
+    return fmt::format("{} lost samples: {}, or {}", pixels, values, steps);
+  std::string causes;
+  if (last.cut_short > 0) causes = fmt::format("{} to {}", grouped(last.cut_short), steps);
+  if (last.not_finite > 0)
+    causes +=
+        fmt::format("{}{} to {}", causes.empty() ? "" : ", ", grouped(last.not_finite), values);
+  return fmt::format("{} lost samples, in the last one {}", pixels, causes);
+}
+
 std::string summaryOf(const RenderReport& report) {
   std::string files;
   for (const auto& output : report.outputs) {

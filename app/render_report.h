@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,11 @@ struct RenderReport {
 };
 
 Json jsonOf(const RenderReport& report);
+
+// What pixels have lost samples to, as far as it is known: the last sample tells, and where it
+// tells of traversals cut short, so does the number of turns after which the driver ends loops.
+std::string warningOf(int nonfinite_pixels, const Losses& last,
+                      const std::optional<std::uint32_t>& loop_limit);
 
 // One line.
 std::string summaryOf(const RenderReport& report);

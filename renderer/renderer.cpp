@@ -1,11 +1,17 @@
 #include "renderer/renderer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
+#include "renderer/core/error.h"
+#include "renderer/core/wording.h"
 #include "renderer/gl/context.h"
 #include "renderer/passes/path_tracer.h"
+#include "renderer/probes/loop_turns.h"
+#include "shaders/layout.h"
 
 namespace glimt {
 namespace {
@@ -21,6 +27,34 @@ double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+// One loop over all triangles has to come to its end. Trees need far fewer turns than they have
+// triangles, how many is not known beforehand.
+void checkLoops(const gl::Device& device, const std::string& traversal, std::size_t triangles) {
+  if (traversal != "linear") return;
+  constexpr std::size_t kSteps = MAX_STEPS;
+  const auto wanted = static_cast<std::uint32_t>(std::min(triangles, kSteps));
+  const std::uint32_t turns = LoopProbe(device).turns(wanted);
+  if (turns >= triangles) return;
+  throw Error(
+      ErrorKind::input,
+      fmt::format("traversal 'linear' takes one loop turn per triangle, of which the scene "
+                  "has {}, and {} ends loops after {}; use --traversal auto",
+                  grouped(triangles), turns < wanted ? "this driver" : "it", grouped(turns)));
+}
+
+// The device, once it is known to do for the scene.
+gl::Device deviceFor(gl::Context& context, const std::string& traversal, std::size_t triangles) {
+  gl::Device device(context);
+  checkLoops(device, traversal, triangles);
+  return device;
+}
+
+ShaderRequest displayRequest() {
+  ShaderRequest request;
+  request.pass = Pass::display;
+  return request;
+}
+
 std::array<double, kPassCount> filled(double value) {
   std::array<double, kPassCount> values;
   values.fill(value);
@@ -32,7 +66,7 @@ std::array<double, kPassCount> filled(double value) {
 class Renderer::State {
  public:
   State(gl::Context& context, const Scene& scene, const RenderSettings& settings)
-      : device(context),
+      : device(deviceFor(context, settings.traversal, scene.triangles.size())),
         triangles(scene.triangles.size()),
         tracer(device, scene, {settings.bounces, settings.seed, settings.traversal}) {
     tracer.resize(settings.width, settings.height);
@@ -53,7 +87,7 @@ class Renderer::State {
   void drawDisplay(int width, int height, float exposure) {
     if (!display_)
       display_.emplace(device.gl(), nameOf(Pass::display), composeVertexShader(),
-                       composeFragmentShader({Pass::display}));
+                       composeFragmentShader(displayRequest()));
     display_->use();
     display_->set("uZero", Vec4(0));
     display_->set("uMean", tracer.film().mean.front().texture());
@@ -119,6 +153,23 @@ int Renderer::nonfinitePixels() {
   const auto samples = static_cast<float>(state_->tracer.samples());
   return static_cast<int>(std::count_if(texels.begin(), texels.end(),
                                         [&](const Vec4& texel) { return texel.a < samples; }));
+}
+
+Losses Renderer::lastLosses() {
+  Losses losses;
+  for (const Vec4& texel : state_->tracer.film().radiance.front().readFloats()) {
+    // As light.glsl marks them, and as accumulate.glsl asks.
+    const bool marked = std::min({texel.r, texel.g, texel.b}) < 0;
+    const bool good = texel.r + texel.g + texel.b <= 1e30f;
+    losses.cut_short += marked;
+    losses.not_finite += !marked && !good;
+  }
+  return losses;
+}
+
+std::optional<std::uint32_t> Renderer::loopLimit() {
+  constexpr std::uint32_t kMost = 1u << 18;
+  return findLoopLimit(state_->device, kMost);
 }
 
 DisplayImage Renderer::display(float exposure) {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,12 +71,19 @@ struct RenderStatistics {
   double shadow_rays = 0;
 };
 
+// Pixels that are left out of the mean.
+struct Losses {
+  int cut_short = 0;   // the traversal of a ray was ended early, by the driver or after MAX_STEPS
+  int not_finite = 0;  // the sample was not a number, or not a possible one
+};
+
 class Renderer {
  public:
   // Builds the tree, uploads the scene and compiles the programs that the scene calls for. The
   // context is current and outlives the renderer.
-  // Errors: usage for an unknown traversal, input for a scene larger than the device's textures,
-  // no_gl where the device has no float target, failed for a shader that does not compile.
+  // Errors: usage for an unknown traversal, input for a scene larger than the device's textures or,
+  // with traversal "linear", with more triangles than a loop makes turns on this device, no_gl
+  // where the device has no float target, failed for a shader that does not compile.
   Renderer(ContextHandle& context, const Scene& scene, const RenderSettings& settings);
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
@@ -100,6 +108,13 @@ class Renderer {
 
   // Pixels that have lost a sample to a value that was not finite, or to a traversal cut short.
   int nonfinitePixels();
+
+  // What the last sample's pixels among them lost it to.
+  Losses lastLosses();
+
+  // After how many turns the driver ends the loops of a shader, without a word; none where 2^18
+  // turns are made. Measured at the call.
+  std::optional<std::uint32_t> loopLimit();
 
   // The picture as a display shows it: radiance * 2^exposure, clipped at 1, sRGB-encoded.
   DisplayImage display(float exposure);

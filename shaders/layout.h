@@ -21,6 +21,9 @@
 #define STACK_SIZE 32
 #define TRAIL_SIZE 24
 
+// Turns of a traversal's loops, more than any sound tree asks for. A driver may stop earlier.
+#define MAX_STEPS 65536
+
 // Triangles in leaf order; see triangle_data.glsl.
 //   0: vertex 0 x, y, z; 1 + material index, negative for the last triangle of a leaf
 //   1: vertex 1 x, y, z; area

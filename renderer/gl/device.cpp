@@ -3,6 +3,7 @@
 #include <array>
 
 #include "renderer/core/error.h"
+#include "renderer/gl/float_target.h"
 
 namespace glimt::gl {
 namespace {
@@ -28,18 +29,6 @@ BufferHandle makeTriangle(const Functions& gl) {
 }
 
 }  // namespace
-
-std::optional<FloatForm> findFloatForm(const Functions& gl, const std::vector<FloatForm>& forms) {
-  const Vec4 probe(16777215.0f, 16777213.0f, -16777215.0f, 1.0f / 16777215.0f);
-  for (const FloatForm form : forms) {
-    try {
-      const Target target(Texture::floats(gl, form, 1, 1, {probe}));
-      if (target.readFloats()[0] == probe) return form;
-    } catch (const Error&) {  // this form is not for this context; the next one may be
-    }
-  }
-  return std::nullopt;
-}
 
 Device::Device(Context& context)
     : gl_(&context.functions()),

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "renderer/gl/context.h"
 #include "renderer/gl/stencil.h"
@@ -22,11 +21,6 @@ struct DrawState {
   bool adding = false;  // to what the target holds, instead of replacing it
   Limit limit = Limit::none;
 };
-
-// The first of `forms` in which a target really keeps four full floats: integers of 24 bits are
-// written and read back. A framebuffer that calls itself complete proves nothing, since some
-// drivers quietly give 8 bits. None where no form passes.
-std::optional<FloatForm> findFloatForm(const Functions& gl, const std::vector<FloatForm>& forms);
 
 class Device {
  public:

@@ -8,6 +8,10 @@
 
 namespace glimt {
 
+// How many texels fit into a data texture on a device with textures of up to `max_texture_size` a
+// side.
+std::size_t mostTexels(int max_texture_size);
+
 // `what` names the data for the message. Errors: input, when it is more than fits.
 gl::Texture makeDataTexture(const gl::Device& device, std::vector<Vec4> texels,
                             const std::string& what);

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "renderer/passes/data_texture.h"
 #include "renderer/scene/effects_of.h"
 
 namespace glimt {
@@ -30,13 +31,14 @@ bool isHit(const Vec4& record) {
 
 PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
                        const PathTracerSettings& settings)
-    : PathTracer(device, scene, settings, buildSceneTree(scene)) {}
+    : PathTracer(device, scene, settings, buildSceneTree(scene, device.maxTextureSize())) {}
 
 PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
                        const PathTracerSettings& settings, const SceneTree& tree)
     : device_(&device),
       points_(settings.seed),
-      traversal_(chooseTraversal(settings.traversal, tree.bvh, device.info().software)),
+      traversal_(chooseTraversal(settings.traversal, tree.bvh, device.info().software,
+                                 mostTexels(device.maxTextureSize()))),
       scene_(device, scene, tree, traversalNamed(traversal_).layout),
       offsets_(points_.makeOffsets(device)),
       effects_(effectsOf(scene)),

@@ -15,7 +15,7 @@ class SceneTextures {
   SceneTextures(const gl::Device& device, const Scene& scene, const SceneTree& tree,
                 TreeLayout layout);
   SceneTextures(const gl::Device& device, const Scene& scene, TreeLayout layout)
-      : SceneTextures(device, scene, buildSceneTree(scene), layout) {}
+      : SceneTextures(device, scene, buildSceneTree(scene, device.maxTextureSize()), layout) {}
 
   // Sets every uniform that speaks of the scene, for the program in use.
   void bind(gl::Program& program) const;

@@ -6,17 +6,16 @@
 
 #include "renderer/bvh/node_layout.h"
 #include "renderer/core/error.h"
+#include "renderer/core/wording.h"
+#include "renderer/passes/data_texture.h"
 #include "shaders/layout.h"
 
 namespace glimt {
 namespace {
 
-// More do not fit into a texture; see data_texture.cpp. The hit record's 23 bits would hold them.
-constexpr std::size_t kMaxTriangles =
-    (std::size_t{1} << 23) / static_cast<std::size_t>(TRIANGLE_TEXELS);
-
 // Eight copies of the tree pay while they fit: above this many triangles one copy is enough memory.
 constexpr std::size_t kMostTrianglesForOctants = 500000;
+constexpr std::size_t kOctants = 8;
 
 std::vector<Bounds> boundsOf(const Scene& scene) {
   std::vector<Bounds> boxes;
@@ -31,11 +30,18 @@ std::vector<Bounds> boundsOf(const Scene& scene) {
 
 }  // namespace
 
-SceneTree buildSceneTree(const Scene& scene) {
-  if (scene.triangles.size() > kMaxTriangles)
-    throw Error(ErrorKind::input, fmt::format("the scene has {} triangles, and {} is the most that "
-                                              "can be rendered; use a smaller model",
-                                              scene.triangles.size(), kMaxTriangles));
+// The hit record's 23 bits hold more.
+std::size_t mostTriangles(int max_texture_size) {
+  return mostTexels(max_texture_size) / static_cast<std::size_t>(TRIANGLE_TEXELS);
+}
+
+SceneTree buildSceneTree(const Scene& scene, int max_texture_size) {
+  const std::size_t most = mostTriangles(max_texture_size);
+  if (scene.triangles.size() > most)
+    throw Error(ErrorKind::input,
+                fmt::format("the scene has {}, and {} fit into this device's textures; use a "
+                            "smaller model",
+                            counted(scene.triangles.size(), "triangle"), grouped(most)));
   const auto start = std::chrono::steady_clock::now();
   SceneTree tree{buildBvh(boundsOf(scene)), 0};
   tree.build_seconds =
@@ -51,12 +57,15 @@ void checkFits(const Traversal& traversal, std::size_t stack_size) {
                             stack_size, traversal.name, traversal.most_levels));
 }
 
-std::string chooseTraversal(const std::string& asked, const Bvh& bvh, bool software) {
+std::string chooseTraversal(const std::string& asked, const Bvh& bvh, bool software,
+                            std::size_t most_texels) {
   if (asked != "auto") {
     checkFits(traversalNamed(asked), stackSizeOf(bvh));
     return asked;
   }
-  if (bvh.order.size() <= kMostTrianglesForOctants) return software ? "octant-ahead" : "octant";
+  const std::size_t octant_texels = kOctants * (bvh.nodes.size() + 1);
+  if (bvh.order.size() <= kMostTrianglesForOctants && octant_texels <= most_texels)
+    return software ? "octant-ahead" : "octant";
   return stackSizeOf(bvh) <= STACK_SIZE ? "stack" : "skip";
 }
 

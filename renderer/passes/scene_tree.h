@@ -14,17 +14,22 @@ struct SceneTree {
   double build_seconds = 0;
 };
 
-// Errors: input, for more triangles than fit into a texture.
-SceneTree buildSceneTree(const Scene& scene);
+// How many triangles fit into a texture on a device with textures of up to `max_texture_size` a
+// side.
+std::size_t mostTriangles(int max_texture_size);
+
+// Errors: input, for more triangles than that.
+SceneTree buildSceneTree(const Scene& scene, int max_texture_size);
 
 // Errors: input, where the tree is deeper than the traversal can hold.
 void checkFits(const Traversal& traversal, std::size_t stack_size);
 
 // `asked` itself, or for "auto" the fastest of those that the tree fits, as measured in
-// docs/performance.md. While eight copies of the tree are small these are the octants, with two
-// nodes a step where the device is a CPU, else with one. Above, it is the stack while it is deep
-// enough, else skip. Errors: usage, for a traversal that does not exist; input, for one that does
-// not hold the tree.
-std::string chooseTraversal(const std::string& asked, const Bvh& bvh, bool software);
+// docs/performance.md. While eight copies of the tree are small and fit into a texture of
+// `most_texels` these are the octants, with two nodes a step where the device is a CPU, else with
+// one. Above, it is the stack while it is deep enough, else skip. Errors: usage, for a traversal
+// that does not exist; input, for one that does not hold the tree.
+std::string chooseTraversal(const std::string& asked, const Bvh& bvh, bool software,
+                            std::size_t most_texels);
 
 }  // namespace glimt

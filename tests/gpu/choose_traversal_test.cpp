@@ -2,8 +2,11 @@
 #include <catch2/catch.hpp>
 
 #include "renderer/core/error.h"
+#include "renderer/passes/data_texture.h"
 #include "renderer/passes/scene_tree.h"
 #include "shaders/layout.h"
+#include "tests/gpu/coincident_triangles.h"
+#include "tests/unit/expect_error.h"
 
 using namespace glimt;
 
@@ -23,24 +26,48 @@ Bvh chain(std::size_t inner_nodes, std::size_t primitives) {
   return bvh;
 }
 
+constexpr int kUsualTexture = 16384;  // pixels a side
+
+std::string choose(const std::string& asked, const Bvh& bvh, bool software,
+                   int max_texture_size = kUsualTexture) {
+  return chooseTraversal(asked, bvh, software, mostTexels(max_texture_size));
+}
+
 }  // namespace
 
 TEST_CASE("auto takes the octants for small trees, however deep they are") {
-  CHECK(chooseTraversal("auto", chain(3, 1000), true) == "octant-ahead");
-  CHECK(chooseTraversal("auto", chain(100, 1000), true) == "octant-ahead");
+  CHECK(choose("auto", chain(3, 1000), true) == "octant-ahead");
+  CHECK(choose("auto", chain(100, 1000), true) == "octant-ahead");
 }
 
 TEST_CASE("auto looks one node ahead on a CPU only") {
-  CHECK(chooseTraversal("auto", chain(3, 1000), true) == "octant-ahead");
-  CHECK(chooseTraversal("auto", chain(3, 1000), false) == "octant");
+  CHECK(choose("auto", chain(3, 1000), true) == "octant-ahead");
+  CHECK(choose("auto", chain(3, 1000), false) == "octant");
 }
 
 TEST_CASE("auto takes the stack for large trees only while it is deep enough") {
-  CHECK(chooseTraversal("auto", chain(STACK_SIZE - 1, 600000), true) == "stack");
-  CHECK(chooseTraversal("auto", chain(STACK_SIZE, 600000), true) == "skip");
+  CHECK(choose("auto", chain(STACK_SIZE - 1, 600000), true) == "stack");
+  CHECK(choose("auto", chain(STACK_SIZE, 600000), true) == "skip");
+}
+
+TEST_CASE("auto leaves the octants where eight copies do not fit into a texture") {
+  const Bvh bvh = chain(20, 1000);  // 41 nodes: 336 texels with one at each copy's end
+  CHECK(choose("auto", bvh, true, 32) == "octant-ahead");
+  CHECK(choose("auto", bvh, true, 16) == "stack");
+}
+
+TEST_CASE("a scene is refused where its triangles do not fit into the device's textures") {
+  CHECK(mostTriangles(16384) == (1u << 23) / 3);  // indices have 23 bits
+  CHECK(mostTriangles(64) == 64 * 64 / 3);
+  CHECK(mostTriangles(100) == 64 * 64 / 3);  // sizes are powers of two
+  CHECK(buildSceneTree(test::coincidentTriangles(1365), 64).bvh.order.size() == 1365);
+  const std::string message =
+      messageOf(ErrorKind::input, [] { buildSceneTree(test::coincidentTriangles(1366), 64); });
+  CHECK(message.find("1,366 triangles") != std::string::npos);
+  CHECK(message.find("1,365 fit") != std::string::npos);
 }
 
 TEST_CASE("a traversal that is asked for by name is taken, and an unknown one is refused") {
-  CHECK(chooseTraversal("trail", chain(3, 1000), true) == "trail");
-  CHECK_THROWS_AS(chooseTraversal("magic", chain(3, 1000), true), Error);
+  CHECK(choose("trail", chain(3, 1000), true) == "trail");
+  CHECK_THROWS_AS(choose("magic", chain(3, 1000), true), Error);
 }

@@ -17,6 +17,7 @@ class TestContext {
   TestContext& operator=(TestContext&&) = delete;
 
   const std::string& name() const { return name_; }
+  gl::Context& context() const { return *context_; }
   bool egl() const { return name_.starts_with("egl"); }
   const gl::Device& device() const { return *device_; }
   const gl::Functions& gl() const { return device_->gl(); }

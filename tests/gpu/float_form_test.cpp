@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "renderer/core/error.h"
+#include "renderer/gl/float_target.h"
 #include "renderer/shader/composer.h"
 #include "tests/gpu/contexts.h"
 #include "tests/gpu/probe.h"
@@ -10,15 +11,14 @@
 
 using namespace glimt;
 using gl::FloatForm;
+using gl::FloatTarget;
 
 namespace {
-
-enum class Outcome { incomplete, inexact, exact };
 
 constexpr const char* kOutcomes[]{"not complete", "complete but not exact", "exact"};
 
 // Draws large whole numbers into a target of this form, and reads them back.
-Outcome tryForm(const test::TestContext& context, FloatForm form) {
+FloatTarget drawInto(const test::TestContext& context, FloatForm form) {
   constexpr int kSize = 64;
   const gl::Device& device = context.device();
   try {
@@ -34,11 +34,11 @@ Outcome tryForm(const test::TestContext& context, FloatForm form) {
     const std::vector<Vec4> texels = target.readFloats();
     for (int i = 0; i < kSize; ++i) {
       const Vec4 expected(16777152.0f + static_cast<float>(i), -0.5f, 0.25f, 3.0f);
-      if (texels[static_cast<std::size_t>(i)] != expected) return Outcome::inexact;
+      if (texels[static_cast<std::size_t>(i)] != expected) return FloatTarget::inexact;
     }
-    return Outcome::exact;
+    return FloatTarget::exact;
   } catch (const Error&) {
-    return Outcome::incomplete;
+    return FloatTarget::incomplete;
   }
 }
 
@@ -48,12 +48,13 @@ TEST_CASE("float forms are accepted where they keep floats, and refused elsewher
   test::onEveryContext([](const test::TestContext& context) {
     CAPTURE(context.name());
     for (const FloatForm form : {FloatForm::sized, FloatForm::unsized}) {
-      const Outcome outcome = tryForm(context, form);
+      const FloatTarget outcome = drawInto(context, form);
       test::report("{}: {} float textures are {}", context.name(),
                    form == FloatForm::sized ? "sized" : "unsized",
                    kOutcomes[static_cast<int>(outcome)]);
+      CHECK(gl::tryFloatTarget(context.gl(), form) == outcome);
       const auto found = gl::findFloatForm(context.gl(), {form});
-      CHECK(found.has_value() == (outcome == Outcome::exact));
+      CHECK(found.has_value() == (outcome == FloatTarget::exact));
       if (found) CHECK(*found == form);
     }
   });
@@ -63,7 +64,7 @@ TEST_CASE("a form that quietly gives 8 bits is passed over") {
   const auto& all = test::contexts();
   const auto quiet = std::find_if(all.begin(), all.end(), [](const test::TestContext& context) {
     context.makeCurrent();
-    return tryForm(context, FloatForm::unsized) == Outcome::inexact;
+    return drawInto(context, FloatForm::unsized) == FloatTarget::inexact;
   });
   if (quiet == all.end()) {
     test::report("skipped: no context here has such a form");

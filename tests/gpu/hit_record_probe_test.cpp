@@ -1,11 +1,9 @@
 // The hit record packed and unpacked by the device is the one that C++ packs and unpacks.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "renderer/probes/record_probes.h"
 #include "tests/gpu/contexts.h"
-#include "tests/gpu/probe.h"
 #include "tests/shader/glsl_float.h"
 #include "tests/shader/random.h"
 #include "tests/shader/report.h"
@@ -16,25 +14,6 @@ using glsl_float::HitRecord;
 namespace {
 
 constexpr std::size_t kCount = 60000;
-
-const std::vector<std::string> kFiles{"constants.glsl", "float_fields.glsl", "octahedral.glsl",
-                                      "hit_record.glsl"};
-
-constexpr const char* kEncode = R"(
-vec4 probe(vec4 a, vec4 b, vec4 c, vec4 random) {
-  return encodeHitRecord(HitRecord(a.x, a.y, a.zw, b.xyz, c.xyz, c.w), random);
-})";
-
-// Four values of the record at a time.
-constexpr const char* kDecode = R"(
-uniform float uPart;
-vec4 probe(vec4 texel) {
-  HitRecord record = decodeHitRecord(texel);
-  vec4 first = vec4(record.triangle, record.back, record.uv);
-  vec4 second = vec4(record.throughput, record.weight);
-  vec4 third = vec4(record.direction, isEnded(texel) ? 1.0 : 0.0);
-  return uPart < 0.5 ? first : uPart < 1.5 ? second : third;
-})";
 
 std::vector<HitRecord> randomRecords() {
   test::Random random(32);
@@ -52,16 +31,18 @@ std::vector<HitRecord> randomRecords() {
   return records;
 }
 
-std::vector<std::vector<Vec4>> asInputs(const std::vector<HitRecord>& records) {
+std::vector<RecordValues> valuesOf(const std::vector<HitRecord>& records) {
+  std::vector<RecordValues> values;
+  for (const HitRecord& r : records)
+    values.push_back({r.triangle, r.back, r.uv, r.direction, r.throughput, r.weight});
+  return values;
+}
+
+std::vector<Vec4> randomRoundings() {
   test::Random random(33);
-  std::vector<std::vector<Vec4>> lists(4);
-  for (const HitRecord& r : records) {
-    lists[0].emplace_back(r.triangle, r.back, r.uv);
-    lists[1].emplace_back(r.direction, 0);
-    lists[2].emplace_back(r.throughput, r.weight);
-    lists[3].push_back(random.four());
-  }
-  return lists;
+  std::vector<Vec4> roundings;
+  for (std::size_t i = 0; i < kCount; ++i) roundings.push_back(random.four());
+  return roundings;
 }
 
 std::vector<Vec4> encodeInCpp(const std::vector<HitRecord>& records,
@@ -76,11 +57,11 @@ std::vector<Vec4> encodeInCpp(const std::vector<HitRecord>& records,
 
 TEST_CASE("the device encodes hit records as C++ does") {
   const std::vector<HitRecord> records = randomRecords();
-  const auto inputs = asInputs(records);
-  const std::vector<Vec4> expected = encodeInCpp(records, inputs[3]);
+  const std::vector<Vec4> roundings = randomRoundings();
+  const std::vector<Vec4> expected = encodeInCpp(records, roundings);
   test::onEveryContext([&](const test::TestContext& context) {
     CAPTURE(context.name());
-    const std::vector<Vec4> texels = test::Probe(context.device(), kFiles, kEncode, 4).run(inputs);
+    const std::vector<Vec4> texels = encodeRecords(context.device(), valuesOf(records), roundings);
     int different = 0;
     int other_cell = 0;
     double worst = 0;
@@ -103,23 +84,20 @@ TEST_CASE("the device encodes hit records as C++ does") {
 
 TEST_CASE("the device decodes hit records as C++ does") {
   const std::vector<HitRecord> records = randomRecords();
-  std::vector<Vec4> texels = encodeInCpp(records, asInputs(records)[3]);
+  std::vector<Vec4> texels = encodeInCpp(records, randomRoundings());
   std::erase_if(texels, [](const Vec4& texel) { return glsl_float::isEnded(texel); });
   test::onEveryContext([&](const test::TestContext& context) {
     CAPTURE(context.name());
-    test::Probe probe(context.device(), kFiles, kDecode);
-    const auto part = [&](float which) {
-      return probe.run({texels}, [&](gl::Program& program) { program.set("uPart", which); });
-    };
-    const std::vector<Vec4> first = part(0), second = part(1), third = part(2);
+    const std::vector<RecordValues> decoded = decodeRecords(context.device(), texels);
     int different = 0;
     double worst_angle = 0;
     for (std::size_t i = 0; i < texels.size(); ++i) {
       const HitRecord r = glsl_float::decodeHitRecord(texels[i]);
-      const bool same = first[i] == Vec4(r.triangle, r.back, r.uv) &&
-                        second[i] == Vec4(r.throughput, r.weight) && third[i].w == 0;
+      const RecordValues& is = decoded[i];
+      const bool same = is.triangle == r.triangle && is.back == r.back && is.uv == r.uv &&
+                        is.throughput == r.throughput && is.weight == r.weight && !is.ended;
       if (!same) ++different;
-      worst_angle = std::max(worst_angle, test::angleBetween(Vec3(third[i]), r.direction));
+      worst_angle = std::max(worst_angle, test::angleBetween(is.direction, r.direction));
     }
     test::report("{}: of {} records {} differ, directions by up to {:.1e} rad", context.name(),
                  texels.size(), different, worst_angle);

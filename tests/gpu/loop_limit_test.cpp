@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "renderer/probes/loop_turns.h"
+#include "shaders/layout.h"
 #include "tests/gpu/contexts.h"
 #include "tests/gpu/probe.h"
 #include "tests/gpu/traversal_probe.h"
@@ -117,25 +119,17 @@ bool isLlvmpipe(const TestContext& context) {
   return context.device().info().renderer.find("llvmpipe") != std::string::npos;
 }
 
-float turnsOf(const TestContext& context, const std::string& loops) {
-  test::Probe probe(context.device(), {},
-                    "vec4 probe(vec4 a) { float n = 0.0; " + loops + " return vec4(n); }");
-  return probe.run({std::vector<Vec4>(16, Vec4(1e9f))})[0].x;
-}
-
 }  // namespace
 
 TEST_CASE("how many turns of loops a driver makes") {
   test::onEveryContext([](const TestContext& context) {
-    const float one =
-        turnsOf(context, "for (int i = 0; i < 200000; i++) { n += 1.0; if (n > a.x) break; }");
-    const float nested =
-        turnsOf(context,
-                "for (int i = 0; i < 400; i++) { for (int k = 0; k < 500; k++) { n += 1.0; if (n > "
-                "a.x) break; } }");
-    test::report("{}: {} of 200000 turns of one loop, {} of two nested ones", context.name(), one,
-                 nested);
-    CHECK(one > 60000);  // fewer would not be enough for large scenes
+    const auto limit = findLoopLimit(context.device(), 200000);
+    test::report("{}: loops end after {}", context.name(),
+                 limit ? fmt::format("{} turns", *limit) : "as many turns as they ask for");
+    if (isLlvmpipe(context)) CHECK(limit.has_value());
+    CHECK(limit.value_or(200000) > 60000);  // fewer would not be enough for large scenes
+    LoopProbe probe(context.device());
+    for (const std::uint32_t wanted : {0u, 1u, 1000u, 60000u}) CHECK(probe.turns(wanted) == wanted);
   });
 }
 
@@ -183,5 +177,17 @@ TEST_CASE("no traversal is wrong at any turn at which it is cut short") {
       CHECK(crowded.trace(triangles, 0) != Outcome::wrong);
       CHECK(crowded.trace(triangles, triangles - 1) != Outcome::wrong);
     }
+  });
+}
+
+// What `glimt render --traversal linear` goes by: see renderer.cpp.
+TEST_CASE("the linear traversal looks at as many triangles as the driver makes turns") {
+  test::onEveryContext([](const TestContext& context) {
+    CAPTURE(context.name());
+    constexpr std::uint32_t kSteps = MAX_STEPS;
+    const std::uint32_t most = LoopProbe(context.device()).turns(kSteps);
+    CrowdedTest crowded(context, traversalNamed("linear"));
+    CHECK(crowded.trace(most, most - 1) == Outcome::right);
+    CHECK(crowded.trace(most + 1, most) == Outcome::unknown);
   });
 }

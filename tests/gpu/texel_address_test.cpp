@@ -1,90 +1,31 @@
 // Element i of a data texture is found exactly, up to the largest textures that glimt makes.
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <cmath>
 
-#include "renderer/passes/data_texture.h"
+#include "renderer/probes/address_probe.h"
 #include "tests/gpu/contexts.h"
-#include "tests/gpu/probe.h"
-#include "tests/shader/random.h"
-#include "tests/shader/report.h"
 
 using namespace glimt;
 
 namespace {
 
-constexpr const char* kFetch = R"(
-uniform sampler2D uData;
-uniform vec2 uDataStep;
-vec4 probe(vec4 a) {
-  vec2 at = texelAddress(a.x, uDataStep);
-  return vec4(texture2D(uData, at).x, texture2D(uData, at + a.y * uDataStep).x, at);
-})";
-
-std::vector<Vec4> numbered(std::size_t count) {
-  std::vector<Vec4> texels(count);
-  for (std::size_t i = 0; i < count; ++i) texels[i] = Vec4(static_cast<float>(i), 7, 7, 7);
-  return texels;
-}
-
-// An index, and how many steps further to look.
-std::vector<Vec4> queries(std::size_t size) {
-  constexpr std::size_t kMost = std::size_t{1} << 20;
-  test::Random random(31);
-  std::vector<Vec4> list(std::min(size, kMost));
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    // All, or as many from each end as in between.
-    std::size_t i = k;
-    if (size > kMost && k >= kMost / 3) i = random.below(static_cast<std::uint32_t>(size));
-    if (size > kMost && k >= kMost / 3 * 2) i = size - 1 - (k - kMost / 3 * 2);
-    list[k] = Vec4(static_cast<float>(i),
-                   static_cast<float>(std::min<std::size_t>(i % 3, size - 1 - i)), 0, 0);
-  }
-  return list;
-}
-
-// Not only found, but found in the middle of the texel across and off its borders upwards, where
-// devices may round as they like.
-bool right(const Vec4& asked, const Vec4& found, int width, int height) {
-  const double column = double(found.z) * width - asked.x;  // repeats once a row
-  const double row = double(found.w) * height - std::floor(asked.x / static_cast<float>(width));
-  return found.x == asked.x && found.y == asked.x + asked.y && column == 0.5 &&
-         row >= 0.5 / width && row <= 1 - 0.5 / width;
-}
-
-std::size_t countWrong(test::Probe& probe, const gl::Device& device, std::size_t size) {
-  const gl::Texture texture = makeDataTexture(device, numbered(size), "numbers");
-  const auto width = static_cast<float>(texture.width());
-  const auto height = static_cast<float>(texture.height());
-  const std::vector<Vec4> asked = queries(size);
-  const std::vector<Vec4> found = probe.run({asked}, [&](gl::Program& program) {
-    program.set("uData", texture);
-    program.set("uDataStep", Vec2(1 / width, 1 / width / height));
-  });
-  std::size_t wrong = 0;
-  for (std::size_t k = 0; k < asked.size(); ++k)
-    wrong += !right(asked[k], found[k], texture.width(), texture.height());
-  return wrong;
+void checkSize(const test::TestContext& context, int power) {
+  CAPTURE(context.name(), power);
+  const AddressProbe probe = probeAddresses(context.device(), std::size_t{1} << power);
+  CHECK(probe.elements == std::size_t{1} << std::min(power, 20));
+  CHECK(probe.wrong == 0);
 }
 
 }  // namespace
 
 TEST_CASE("every element of a data texture is found, in all sizes up to 2^20") {
   test::onEveryContext([](const test::TestContext& context) {
-    test::Probe probe(context.device(), {"texel_address.glsl"}, kFetch);
-    for (int power = 0; power <= 20; ++power) {
-      CAPTURE(context.name(), power);
-      CHECK(countWrong(probe, context.device(), std::size_t{1} << power) == 0);
-    }
+    for (int power = 0; power <= 20; ++power) checkSize(context, power);
   });
 }
 
 TEST_CASE("elements of the largest data textures are found") {
   test::onEveryContext([](const test::TestContext& context) {
-    test::Probe probe(context.device(), {"texel_address.glsl"}, kFetch);
-    for (const int power : {22, 23}) {
-      CAPTURE(context.name(), power);
-      CHECK(countWrong(probe, context.device(), std::size_t{1} << power) == 0);
-    }
+    for (const int power : {22, 23}) checkSize(context, power);
   });
 }

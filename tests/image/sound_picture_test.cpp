@@ -28,6 +28,8 @@ TEST_CASE("samples that are not finite are left out of the mean and counted") {
   }));
   CHECK(renderer.nonfinitePixels() > 0);
   CHECK(renderer.nonfinitePixels() < 32 * 32);
+  CHECK(renderer.lastLosses().not_finite == renderer.nonfinitePixels());
+  CHECK(renderer.lastLosses().cut_short == 0);
   const Vec3 wall = image.pixels[16 * 32 + 20];
   CHECK(wall.g == Approx(0.5).epsilon(0.05));
 }

@@ -1,13 +1,13 @@
-#include "tests/gpu/probe.h"
+#include "renderer/probes/probe.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 
+#include "renderer/core/error.h"
 #include "renderer/shader/composer.h"
 
-namespace glimt::test {
+namespace glimt {
 namespace {
 
 std::string compose(std::vector<std::string> files, const std::string& text, int inputs) {
@@ -18,6 +18,10 @@ std::string compose(std::vector<std::string> files, const std::string& text, int
 gl::Texture inputTexture(const gl::Device& device, std::vector<Vec4> list, int width, int height) {
   list.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   return gl::Texture::floats(device.gl(), device.floatForm(), width, height, list);
+}
+
+void require(bool condition, const char* what) {
+  if (!condition) throw Error(ErrorKind::failed, fmt::format("a probe cannot run: {}", what));
 }
 
 }  // namespace
@@ -44,10 +48,10 @@ Probe::Probe(const gl::Device& device, const std::string& shader)
 std::vector<Vec4> Probe::run(const std::vector<std::vector<Vec4>>& lists, const Binder& bind,
                              int width) {
   const std::size_t count = lists.at(0).size();
-  REQUIRE(count > 0);
-  for (const auto& list : lists) REQUIRE(list.size() == count);
+  const auto other = [&](const auto& list) { return list.size() != count; };
+  require(count > 0 && std::none_of(lists.begin(), lists.end(), other), "its inputs do not match");
   const int height = static_cast<int>((count - 1) / static_cast<std::size_t>(width)) + 1;
-  REQUIRE(height <= device_->maxTextureSize());
+  require(std::max(width, height) <= device_->maxTextureSize(), "its inputs do not fit a texture");
 
   std::vector<gl::Texture> inputs;
   for (const auto& list : lists) inputs.push_back(inputTexture(*device_, list, width, height));
@@ -62,9 +66,9 @@ std::vector<Vec4> Probe::run(const std::vector<std::vector<Vec4>>& lists, const 
   target.bind();
   device_->draw({0, 0, width, height});
   std::vector<Vec4> results = target.readFloats();
-  REQUIRE(device_->gl().GetError() == GL_NO_ERROR);
+  require(device_->gl().GetError() == GL_NO_ERROR, "GL answers with an error");
   results.resize(count);
   return results;
 }
 
-}  // namespace glimt::test
+}  // namespace glimt
