@@ -11,6 +11,7 @@
 
 #include "renderer/core/context_info.h"
 #include "renderer/core/image.h"
+#include "renderer/core/work_progress.h"
 #include "renderer/scene/scene.h"
 
 namespace glimt {
@@ -73,10 +74,12 @@ struct RenderStatistics {
 class Renderer {
  public:
   // Builds the tree, uploads the scene and compiles the programs that the scene calls for. The
-  // context is current and outlives the renderer.
-  // Errors: usage for an unknown traversal, input for a scene larger than the device's textures,
-  // no_gl where the device has no float target, failed for a shader that does not compile.
-  Renderer(ContextHandle& context, const Scene& scene, const RenderSettings& settings);
+  // context is current and outlives the renderer. `progress` is told how far the tree is, which
+  // takes seconds for millions of triangles; compiling follows. Errors: usage for an unknown
+  // traversal, input for a scene larger than the device's textures, no_gl where the device has no
+  // float target, failed for a shader that does not compile.
+  Renderer(ContextHandle& context, const Scene& scene, const RenderSettings& settings,
+           const WorkProgress& progress = {});
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
   ~Renderer();

@@ -29,8 +29,8 @@ bool isHit(const Vec4& record) {
 }  // namespace
 
 PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
-                       const PathTracerSettings& settings)
-    : PathTracer(device, scene, settings, buildSceneTree(scene)) {}
+                       const PathTracerSettings& settings, const WorkProgress& progress)
+    : PathTracer(device, scene, settings, buildSceneTree(scene, progress)) {}
 
 PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
                        const PathTracerSettings& settings, const SceneTree& tree)

@@ -31,13 +31,13 @@ std::vector<Bounds> boundsOf(const Scene& scene) {
 
 }  // namespace
 
-SceneTree buildSceneTree(const Scene& scene) {
+SceneTree buildSceneTree(const Scene& scene, const WorkProgress& progress) {
   if (scene.triangles.size() > kMaxTriangles)
     throw Error(ErrorKind::input, fmt::format("the scene has {} triangles, and {} is the most that "
                                               "can be rendered; use a smaller model",
                                               scene.triangles.size(), kMaxTriangles));
   const auto start = std::chrono::steady_clock::now();
-  SceneTree tree{buildBvh(boundsOf(scene)), 0};
+  SceneTree tree{buildBvh(boundsOf(scene), 0, progress), 0};
   tree.build_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return tree;

@@ -15,7 +15,7 @@ struct SceneTree {
 };
 
 // Errors: input, for more triangles than fit into a texture.
-SceneTree buildSceneTree(const Scene& scene);
+SceneTree buildSceneTree(const Scene& scene, const WorkProgress& progress = {});
 
 // Errors: input, where the tree is deeper than the traversal can hold.
 void checkFits(const Traversal& traversal, std::size_t stack_size);
