@@ -45,8 +45,8 @@ void main() {
 
 // Three additions a test vary the ray.
 constexpr const char* kTriangleTests = R"(
-#define STEP origin += change; \
-  sum += intersectTriangle(origin, direction, v0, v1, v2, far).t;
+#define DISTANCE intersectTriangle(origin, direction, v0, v1, v2, far).t
+#define STEP origin += change; sum += DISTANCE;
 void main() {
   vec3 origin = vec3(1.0e-3 * pixelCenter(), -2.0);
   vec3 direction = vec3(0.1, 0.2, 1.0) + uZero.xyz;
