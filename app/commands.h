@@ -39,6 +39,7 @@ struct CompareOptions {
 };
 
 struct BenchOptions {
+  std::string suite = "traversal";
   std::vector<std::size_t> triangles;  // of the meshes; empty for the suite's own
   bool quick = false;
   int gles = 2;

@@ -109,12 +109,11 @@ void addBackend(CLI::App& command, Backend& backend) {
       });
 }
 
-// There is one so far.
-void checkSuite(const std::string& name) {
+std::string suiteNamed(const std::string& name) {
   if (name == "passes" || name == "effects")
     throw Error(ErrorKind::usage,
-                fmt::format("--suite {} is not in this version; use traversal", name));
-  parseChoice("--suite", name, {"traversal"});
+                fmt::format("--suite {} is not in this version; use traversal or device", name));
+  return parseChoice("--suite", name, {"traversal", "device"});
 }
 
 // Each of them is between the least tube that is still round and what fits into a texture.
@@ -170,10 +169,12 @@ void addCompareOptions(CLI::App& command, CompareOptions& options) {
 }
 
 void addBenchOptions(CLI::App& command, BenchOptions& options) {
-  add(command, "--suite", "traversal", "What to measure (traversal)", checkSuite);
+  add(command, "--suite", "traversal|device", "What to measure (traversal)",
+      [&](const std::string& text) { options.suite = suiteNamed(text); });
   add(command, "--triangles", "N[,N...]", "Sizes of the meshes (1000,70000,500000,2000000)",
       [&](const std::string& text) { options.triangles = meshSizes(text); });
-  command.add_flag("--quick", options.quick, "The two smallest meshes, fewer repeats");
+  command.add_flag("--quick", options.quick,
+                   "The two smallest meshes, the smallest pictures, fewer repeats");
   addGles(command, options.gles);
   addBackend(command, options.backend);
   addJson(command, options.json);

@@ -1,5 +1,6 @@
 #include "app/progress.h"
 
+#include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -41,6 +42,13 @@ void Progress::clear() {
   if (shown_ == 0) return;
   write("");
   std::fputc('\r', stderr);
+}
+
+void showTree(Progress& progress, float fraction) {
+  if (fraction == 1)
+    progress.show("compiling the shaders");
+  else if (progress.due())
+    progress.show(fmt::format("building the tree, {:.0f}%", 100 * fraction));
 }
 
 void Progress::write(std::string_view text) {

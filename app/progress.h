@@ -32,4 +32,8 @@ class Progress {
   std::chrono::steady_clock::time_point last_;
 };
 
+// Shows how far the renderer's tree is, where it takes long enough for people to read, and then
+// what follows it.
+void showTree(Progress& progress, float fraction);
+
 }  // namespace glimt

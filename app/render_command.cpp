@@ -53,8 +53,11 @@ void RenderCommand::run() {
   progress_.show("starting GL");
   ContextHandle context = createOffscreenContext(options_.backend, options_.picture.gles);
   report_.context = context.info();
-  progress_.show("building the tree and compiling the shaders");
-  Renderer renderer(context, scene, report_.settings);
+  progress_.show("building the tree");
+  Renderer renderer(context, scene, report_.settings, [this](float fraction) {
+    endIfInterrupted();
+    showTree(progress_, fraction);
+  });
   render(renderer);
 
   writePictures(renderer, exposureOf(options_.picture, scene));

@@ -32,14 +32,15 @@ int runView(const ViewOptions& options) {
   progress.clear();
   for (const std::string& warning : scene.warnings) say(fmt::format("warning: {}", warning));
 
-  progress.show("building the tree and compiling the shaders");
+  progress.show("building the tree");
   RenderSettings settings = settingsOf(options.picture, scene);
   const bool scaled = !options.picture.size.has_value();
   Window window({settings.width, settings.height}, scaled, scene.name);
   ContextHandle context = adoptCurrentContext(window.loader());
   settings.width = window.framebufferSize()[0];
   settings.height = window.framebufferSize()[1];
-  Renderer renderer(context, scene, settings);
+  Renderer renderer(context, scene, settings,
+                    [&](float fraction) { showTree(progress, fraction); });
   progress.clear();
 
   const ViewerSettings viewer{scene.name, scene.camera, exposureOf(options.picture, scene)};

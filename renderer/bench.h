@@ -12,12 +12,14 @@
 
 namespace glimt {
 
-// Million rays per second over the repeats.
-struct Rate {
+// Of the repeats of one measurement.
+struct Spread {
   double median = 0;
   double least = 0;
   double most = 0;
 };
+
+using Rate = Spread;  // million rays per second
 
 // In the order in which their rates are listed.
 inline constexpr std::array kRayKinds{"camera", "bounce", "shadow"};
@@ -52,5 +54,61 @@ inline constexpr const char* kEmbree = "embree";
 std::vector<TraversalRow> benchTraversals(ContextHandle& context,
                                           const TraversalBenchSettings& settings,
                                           const std::function<void(const std::string&)>& progress);
+
+// --- What the device can do at most ----------------------------------------------------------
+
+struct DeviceBenchSettings {
+  std::vector<int> sides{512, 2048};  // pixels of the square pictures that are drawn
+  // The largest that texels are fetched from, in bytes.
+  std::size_t largest_texture = std::size_t{128} << 20;
+  std::size_t triangles = 70000;  // about as many in the mesh that is traversed
+  int ray_side = 512;             // rays are ray_side * ray_side
+  int repeats = 7;                // after one that is not timed
+};
+
+// One kind of work that a traversal is made of, and nothing else.
+struct DeviceRow {
+  std::string work;
+  std::string unit;            // of the rate
+  int side = 0;                // of the picture, in pixels
+  std::optional<Spread> rate;  // none: it cannot be done here, see note
+  std::string note;
+};
+
+// What one ray takes on average, of those that are cast.
+struct RayWork {
+  double node_fetches = 0;      // texels of the tree
+  double triangle_fetches = 0;  // texels of triangles
+  double box_tests = 0;
+  double triangle_tests = 0;
+
+  double fetches() const { return node_fetches + triangle_fetches; }
+};
+
+// A traversal beside what the device could do at most.
+struct TraversalBoundRow {
+  std::size_t triangles = 0;
+  std::string traversal;
+  std::string rays;  // one of kRayKinds
+  RayWork per_ray;
+  Rate rate;  // measured
+  // Of texels in the nearest caches, in thousand millions a second: the same one or neighbours for
+  // camera rays, random ones for the others.
+  double fetch_ceiling = 0;
+  double fetch_bound = 0;       // million rays per second, if only the fetches took time
+  double arithmetic_bound = 0;  // if only the tests of boxes and triangles did
+
+  // Thousand millions a second, made by the traversal.
+  double fetchRate() const { return per_ray.fetches() * rate.median / 1000; }
+};
+
+struct DeviceBench {
+  std::vector<DeviceRow> ceilings;
+  std::vector<TraversalBoundRow> bounds;
+};
+
+// `progress` is told what is being done. Errors: no_gl, failed.
+DeviceBench benchDevice(ContextHandle& context, const DeviceBenchSettings& settings,
+                        const std::function<void(const std::string&)>& progress);
 
 }  // namespace glimt

@@ -65,10 +65,11 @@ std::array<double, kPassCount> filled(double value) {
 
 class Renderer::State {
  public:
-  State(gl::Context& context, const Scene& scene, const RenderSettings& settings)
+  State(gl::Context& context, const Scene& scene, const RenderSettings& settings,
+        const WorkProgress& progress)
       : device(deviceFor(context, settings.traversal, scene.triangles.size())),
         triangles(scene.triangles.size()),
-        tracer(device, scene, {settings.bounces, settings.seed, settings.traversal}) {
+        tracer(device, scene, {settings.bounces, settings.seed, settings.traversal}, progress) {
     tracer.resize(settings.width, settings.height);
   }
 
@@ -106,8 +107,9 @@ class Renderer::State {
   std::array<double, kPassCount> seconds_per_pixel_ = filled(kDrawSeconds / 16384);
 };
 
-Renderer::Renderer(ContextHandle& context, const Scene& scene, const RenderSettings& settings)
-    : state_(std::make_unique<State>(context.get(), scene, settings)) {}
+Renderer::Renderer(ContextHandle& context, const Scene& scene, const RenderSettings& settings,
+                   const WorkProgress& progress)
+    : state_(std::make_unique<State>(context.get(), scene, settings, progress)) {}
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;

@@ -12,6 +12,7 @@
 
 #include "renderer/core/context_info.h"
 #include "renderer/core/image.h"
+#include "renderer/core/work_progress.h"
 #include "renderer/scene/scene.h"
 
 namespace glimt {
@@ -80,11 +81,13 @@ struct Losses {
 class Renderer {
  public:
   // Builds the tree, uploads the scene and compiles the programs that the scene calls for. The
-  // context is current and outlives the renderer.
+  // context is current and outlives the renderer. `progress` is told how far the tree is, which
+  // takes seconds for millions of triangles; compiling follows.
   // Errors: usage for an unknown traversal, input for a scene larger than the device's textures or,
   // with traversal "linear", with more triangles than a loop makes turns on this device, no_gl
   // where the device has no float target, failed for a shader that does not compile.
-  Renderer(ContextHandle& context, const Scene& scene, const RenderSettings& settings);
+  Renderer(ContextHandle& context, const Scene& scene, const RenderSettings& settings,
+           const WorkProgress& progress = {});
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
   ~Renderer();

@@ -8,6 +8,8 @@
 #include "renderer/bench/bench_mesh.h"
 #include "renderer/bench/bench_rays.h"
 #include "renderer/bench/hit_comparison.h"
+#include "renderer/bench/mesh_rays.h"
+#include "renderer/bench/stopwatch.h"
 #include "renderer/bench/traversal_program.h"
 #include "renderer/core/error.h"
 #include "renderer/core/wording.h"
@@ -20,12 +22,14 @@ namespace glimt {
 namespace {
 
 constexpr std::size_t kKinds = kRayKinds.size();
-constexpr std::size_t kShadow = 2;  // the only kind that asks for visibility
 constexpr const char* kSkip = "skip";
 
 // llvmpipe ends loops silently after some 65,500 turns, and long before that linear is too slow to
 // wait for.
 constexpr std::size_t kMostTrianglesForLinear = 2000;
+
+// Trees over more than these take long enough for people to read how far they are.
+constexpr std::size_t kMostTrianglesUntold = 200000;
 
 using Question = TraversalProgram::Question;
 
@@ -47,19 +51,21 @@ struct Candidate {
 // Trees in each of the layouts, made when first asked for: traversals share them.
 class Trees {
  public:
-  Trees(const gl::Device& device, const Scene& scene) : device_(&device), scene_(&scene) {}
+  Trees(const gl::Device& device, const Scene& scene, const WorkProgress& progress)
+      : device_(&device), scene_(&scene), progress_(progress) {}
 
   // Errors: input, where the tree does not fit.
   const SceneTextures& of(const std::string& traversal) {
     const TreeLayout layout = traversalNamed(traversal).layout;
     const auto found = made_.find(layout);
     if (found != made_.end()) return found->second;
-    return made_.try_emplace(layout, *device_, *scene_, layout).first->second;
+    return made_.try_emplace(layout, *device_, *scene_, layout, progress_).first->second;
   }
 
  private:
   const gl::Device* device_;
   const Scene* scene_;
+  WorkProgress progress_;
   std::map<TreeLayout, SceneTextures> made_;
 };
 
@@ -70,11 +76,10 @@ std::vector<float> distancesOf(const std::vector<Vec4>& results) {
   return distances;
 }
 
-Rate rateOf(std::vector<double> seconds, std::size_t rays) {
-  std::sort(seconds.begin(), seconds.end());
+Rate rateOf(const std::vector<double>& seconds, std::size_t rays) {
   const double million = static_cast<double>(rays) / 1e6;
-  return {million / seconds[seconds.size() / 2], million / seconds.back(),
-          million / seconds.front()};
+  const Spread spread = spreadOf(seconds);
+  return {million / spread.median, million / spread.most, million / spread.least};
 }
 
 class MeshBench {
@@ -89,7 +94,7 @@ class MeshBench {
   }
 
   std::vector<TraversalRow> run() {
-    Trees trees(*device_, scene_);
+    Trees trees(*device_, scene_, treeProgress());
     makeRays(trees.of(kSkip));
     addEmbree();
     for (const Traversal& traversal : traversals()) addTraversal(traversal.name, trees);
@@ -103,17 +108,16 @@ class MeshBench {
     (*progress_)(fmt::format(format, std::forward<Values>(values)...));
   }
 
-  // The camera's hits, from which the others start, are those of traversal "skip": it takes any
-  // tree.
+  WorkProgress treeProgress() const {
+    if (scene_.triangles.size() <= kMostTrianglesUntold) return {};
+    return [this](float fraction) {
+      tell("{} triangles: tree, {:.0f}%", grouped(scene_.triangles.size()), 100 * fraction);
+    };
+  }
+
   void makeRays(const SceneTextures& tree) {
-    const int side = settings_->side;
-    rays_[0] = makeCameraRays(scene_.camera, side);
-    const RayTextures camera(*device_, rays_[0], side);
-    TraversalProgram(*device_, kSkip, Question::closest_hit).run(tree, camera);
-    const std::vector<SurfaceHit> hits = readResults(camera);
-    rays_[1] = makeBounceRays(rays_[0], hits);
-    rays_[kShadow] = makeShadowRays(rays_[0], hits);
-    for (const Rays& rays : rays_) textures_.emplace_back(*device_, rays, side);
+    rays_ = makeMeshRays(*device_, scene_, tree, settings_->side);
+    for (const Rays& rays : rays_) textures_.emplace_back(*device_, rays, settings_->side);
   }
 
   TraversalRow newRow(const std::string& traversal) const {
@@ -132,8 +136,8 @@ class MeshBench {
     measured.row.bvh_seconds = embree->buildSeconds();
     const Cast cast = [this, embree](std::size_t kind, std::vector<float>* results) {
       const auto start = std::chrono::steady_clock::now();
-      auto found =
-          kind == kShadow ? embree->visibilities(rays_[kind]) : embree->closestHits(rays_[kind]);
+      auto found = kind == kShadowRays ? embree->visibilities(rays_[kind])
+                                       : embree->closestHits(rays_[kind]);
       const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
       if (results != nullptr) *results = std::move(found);
       return seconds.count();
@@ -214,7 +218,7 @@ class MeshBench {
   const TraversalBenchSettings* settings_;
   const Progress* progress_;
   Scene scene_;
-  std::array<Rays, kKinds> rays_;
+  MeshRays rays_;
   std::vector<RayTextures> textures_;
   std::vector<Candidate> candidates_;
   std::vector<TraversalRow> unfit_;
@@ -225,12 +229,12 @@ Cast MeshBench::castOn(const std::string& name, const SceneTextures& tree, Trave
   const auto closest = std::make_shared<TraversalProgram>(*device_, name, Question::closest_hit);
   const auto visible = std::make_shared<TraversalProgram>(*device_, name, Question::visibility);
   row.compile_seconds = closest->compileSeconds(tree, textures_[0]) +
-                        visible->compileSeconds(tree, textures_[kShadow]);
+                        visible->compileSeconds(tree, textures_[kShadowRays]);
   row.gpu_bytes_per_triangle =
       static_cast<double>(tree.bytes()) / static_cast<double>(scene_.triangles.size());
   row.bvh_seconds = tree.buildSeconds();
   return [this, closest, visible, &tree](std::size_t kind, std::vector<float>* results) {
-    TraversalProgram& program = kind == kShadow ? *visible : *closest;
+    TraversalProgram& program = kind == kShadowRays ? *visible : *closest;
     const double seconds = program.run(tree, textures_[kind]);
     if (results != nullptr) *results = distancesOf(readResults(textures_[kind]));
     return seconds;

@@ -27,12 +27,18 @@ class RayTextures {
   gl::Target target_;
 };
 
+// Their side in the shader: rayOrigin() and rayDirection().
+std::string rayTexturesText();
+
 class TraversalProgram {
  public:
   enum class Question { closest_hit, visibility };
 
   // Errors: failed, for a shader that does not compile.
   TraversalProgram(const gl::Device& device, const std::string& traversal, Question question);
+
+  // A whole fragment shader, which finds its rays with rayTexturesText().
+  TraversalProgram(const gl::Device& device, const std::string& name, const std::string& shader);
 
   // Casts all the rays and waits for them. Returns the seconds that took.
   double run(const SceneTextures& scene, const RayTextures& rays);

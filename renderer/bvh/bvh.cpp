@@ -1,6 +1,8 @@
 #include "renderer/bvh/bvh.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
 #include <numeric>
 #include <thread>
 
@@ -20,6 +22,11 @@ constexpr std::uint32_t kSubtreeSize = 1u << 14;
 
 // On larger trees reinsertion takes long on its one thread, and gains little.
 constexpr std::size_t kMostReinserted = 200000;
+
+// For telling progress: so many levels take about as long as the subtrees that follow them, and
+// where there is reinsertion, it takes the rest from this share on.
+constexpr float kSubtreeLevels = 12;
+constexpr float kReinsertionBegins = 0.6f;
 
 struct Task {
   std::uint32_t node;
@@ -54,7 +61,8 @@ std::vector<BvhNode> buildSubtree(BvhPrimitives& primitives, const PrimitiveRang
 
 class Builder {
  public:
-  Builder(const std::vector<Bounds>& boxes, unsigned threads) : threads_(threads) {
+  Builder(const std::vector<Bounds>& boxes, unsigned threads, const WorkProgress& progress)
+      : threads_(threads), progress_(progress) {
     primitives_.boxes.reserve(boxes.size());
     for (const Bounds& box : boxes) primitives_.boxes.emplace_back(box);
     primitives_.order.resize(boxes.size());
@@ -66,7 +74,7 @@ class Builder {
     nodes_.emplace_back();
     std::vector<Task> level{{0, all()}};
     while (!level.empty()) level = buildLevel(takeSubtrees(std::move(level)));
-    buildSubtrees();
+    buildSubtrees(partOf(progress_, levelsDone(), 1));
     return {std::move(nodes_), std::move(primitives_.order)};
   }
 
@@ -76,6 +84,13 @@ class Builder {
     range.end = static_cast<std::uint32_t>(primitives_.boxes.size());
     for (const Box4& box : primitives_.boxes) range.include(box);
     return range;
+  }
+
+  // The share of the work, where levels are as many as in a balanced tree.
+  float levelsDone() const {
+    const float levels = divided_ / static_cast<float>(primitives_.boxes.size());
+    const float balanced = std::log2(static_cast<float>(primitives_.boxes.size()) / kSubtreeSize);
+    return levels / (std::max(levels, balanced) + kSubtreeLevels);
   }
 
   // Returns those that are too large for one.
@@ -100,14 +115,24 @@ class Builder {
       nodes_.resize(nodes_.size() + 2);
       next.push_back({lower, splits[i].lower});
       next.push_back({lower + 1, splits[i].upper});
+      divided_ += static_cast<float>(level[i].range.size());
     }
+    if (progress_) progress_(levelsDone());
     return next;
   }
 
-  void buildSubtrees() {
+  // The calling thread takes subtrees like the others, and tells after each of its own what all
+  // have done.
+  void buildSubtrees(const WorkProgress& progress) {
     std::vector<std::vector<BvhNode>> built(subtrees_.size());
-    parallelFor(threads_, subtrees_.size(),
-                [&](std::size_t i) { built[i] = buildSubtree(primitives_, subtrees_[i].range); });
+    const std::thread::id caller = std::this_thread::get_id();
+    std::atomic<std::uint32_t> done = 0;
+    parallelFor(threads_, subtrees_.size(), [&](std::size_t i) {
+      built[i] = buildSubtree(primitives_, subtrees_[i].range);
+      done += subtrees_[i].range.size();
+      if (progress && std::this_thread::get_id() == caller)
+        progress(static_cast<float>(done) / static_cast<float>(primitives_.boxes.size()));
+    });
     std::size_t size = nodes_.size();
     for (const auto& nodes : built) size += nodes.size() - 1;
     nodes_.reserve(size);
@@ -126,25 +151,31 @@ class Builder {
   }
 
   unsigned threads_;
+  const WorkProgress& progress_;
+  float divided_ = 0;  // primitives, at each level in which they are
   BvhPrimitives primitives_;
   std::vector<BvhNode> nodes_;
   std::vector<Task> subtrees_;
 };
 
 // Keeps the tree where reinsertion would make it too deep for a stack that it fits now.
-Bvh improved(Bvh bvh) {
-  if (bvh.order.size() > kMostReinserted) return bvh;
+Bvh improved(Bvh bvh, const WorkProgress& progress) {
   Bvh better = bvh;
-  reinsertNodes(better.nodes);
+  reinsertNodes(better.nodes, progress);
   const std::size_t most = std::max<std::size_t>(stackSizeOf(bvh), STACK_SIZE);
   return stackSizeOf(better) <= most ? better : bvh;
 }
 
 }  // namespace
 
-Bvh buildBvh(const std::vector<Bounds>& boxes, unsigned threads) {
+Bvh buildBvh(const std::vector<Bounds>& boxes, unsigned threads, const WorkProgress& progress) {
   if (threads == 0) threads = std::max(std::thread::hardware_concurrency(), 1u);
-  return improved(Builder(boxes, threads).build());
+  const bool improve = boxes.size() <= kMostReinserted;
+  const WorkProgress building = partOf(progress, 0, improve ? kReinsertionBegins : 1);
+  Bvh bvh = Builder(boxes, threads, building).build();
+  if (improve) bvh = improved(std::move(bvh), partOf(progress, kReinsertionBegins, 1));
+  if (progress) progress(1);
+  return bvh;
 }
 
 }  // namespace glimt

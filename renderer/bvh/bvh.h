@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "renderer/core/bounds.h"
+#include "renderer/core/work_progress.h"
 
 namespace glimt {
 
@@ -30,6 +31,7 @@ inline constexpr int kMaxLeafSize = 4;
 // fast Construction of SAH-based Bounding Volume Hierarchies". Where primitives are not too many,
 // reinsertion improves the tree. It depends on the boxes alone, not on the number of threads: 0 for
 // as many as the machine has, 1 for no other than the calling one.
-Bvh buildBvh(const std::vector<Bounds>& boxes, unsigned threads = 0);
+Bvh buildBvh(const std::vector<Bounds>& boxes, unsigned threads = 0,
+             const WorkProgress& progress = {});
 
 }  // namespace glimt

@@ -9,6 +9,9 @@ namespace {
 
 constexpr int kPasses = 2;
 
+// How often progress is told: after so many nodes.
+constexpr std::size_t kToldNodes = 512;
+
 // In a pass those with the largest areas, where nearly all is to be gained.
 constexpr std::size_t kShare = 10;  // one in so many
 
@@ -21,8 +24,12 @@ class Reinsertion {
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) adoptChildren(i);
   }
 
-  void pass() {
-    for (const std::uint32_t node : largest()) {
+  void pass(const WorkProgress& progress) {
+    const std::vector<std::uint32_t> order = largest();
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      if (progress && i % kToldNodes == 0)
+        progress(static_cast<float>(i) / static_cast<float>(order.size()));
+      const std::uint32_t node = order[i];
       if (node == 0 || parents_[node] == 0) continue;
       const Place place = bestPlace(node);
       if (place.node != 0) move(node, place.node);
@@ -161,10 +168,12 @@ std::vector<BvhNode> depthFirst(const std::vector<BvhNode>& nodes) {
 
 }  // namespace
 
-void reinsertNodes(std::vector<BvhNode>& nodes) {
+void reinsertNodes(std::vector<BvhNode>& nodes, const WorkProgress& progress) {
   if (nodes.size() < 4) return;
   Reinsertion reinsertion(nodes);
-  for (int i = 0; i < kPasses; ++i) reinsertion.pass();
+  for (int i = 0; i < kPasses; ++i)
+    reinsertion.pass(
+        partOf(progress, static_cast<float>(i) / kPasses, static_cast<float>(i + 1) / kPasses));
   nodes = depthFirst(nodes);
 }
 

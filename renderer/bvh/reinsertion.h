@@ -11,6 +11,6 @@ namespace glimt {
 
 // Leaves stay as they are. Nodes come out depth first, and each lower child is the first of the two
 // along the axis on which the children's centres differ most.
-void reinsertNodes(std::vector<BvhNode>& nodes);
+void reinsertNodes(std::vector<BvhNode>& nodes, const WorkProgress& progress = {});
 
 }  // namespace glimt

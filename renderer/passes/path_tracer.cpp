@@ -30,8 +30,9 @@ bool isHit(const Vec4& record) {
 }  // namespace
 
 PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
-                       const PathTracerSettings& settings)
-    : PathTracer(device, scene, settings, buildSceneTree(scene, device.maxTextureSize())) {}
+                       const PathTracerSettings& settings, const WorkProgress& progress)
+    : PathTracer(device, scene, settings,
+                 buildSceneTree(scene, device.maxTextureSize(), progress)) {}
 
 PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
                        const PathTracerSettings& settings, const SceneTree& tree)

@@ -30,7 +30,9 @@ struct RayCounts {
 
 class PathTracer {
  public:
-  PathTracer(const gl::Device& device, const Scene& scene, const PathTracerSettings& settings);
+  // `progress` is told how far the tree is.
+  PathTracer(const gl::Device& device, const Scene& scene, const PathTracerSettings& settings,
+             const WorkProgress& progress = {});
 
   void setCamera(const Camera& camera);
   void resize(int width, int height);

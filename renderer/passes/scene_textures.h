@@ -14,8 +14,10 @@ class SceneTextures {
   // or its tree deeper than the traversal's stack.
   SceneTextures(const gl::Device& device, const Scene& scene, const SceneTree& tree,
                 TreeLayout layout);
-  SceneTextures(const gl::Device& device, const Scene& scene, TreeLayout layout)
-      : SceneTextures(device, scene, buildSceneTree(scene, device.maxTextureSize()), layout) {}
+  SceneTextures(const gl::Device& device, const Scene& scene, TreeLayout layout,
+                const WorkProgress& progress = {})
+      : SceneTextures(device, scene, buildSceneTree(scene, device.maxTextureSize(), progress),
+                      layout) {}
 
   // Sets every uniform that speaks of the scene, for the program in use.
   void bind(gl::Program& program) const;

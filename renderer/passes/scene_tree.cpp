@@ -35,7 +35,7 @@ std::size_t mostTriangles(int max_texture_size) {
   return mostTexels(max_texture_size) / static_cast<std::size_t>(TRIANGLE_TEXELS);
 }
 
-SceneTree buildSceneTree(const Scene& scene, int max_texture_size) {
+SceneTree buildSceneTree(const Scene& scene, int max_texture_size, const WorkProgress& progress) {
   const std::size_t most = mostTriangles(max_texture_size);
   if (scene.triangles.size() > most)
     throw Error(ErrorKind::input,
@@ -43,7 +43,7 @@ SceneTree buildSceneTree(const Scene& scene, int max_texture_size) {
                             "smaller model",
                             counted(scene.triangles.size(), "triangle"), grouped(most)));
   const auto start = std::chrono::steady_clock::now();
-  SceneTree tree{buildBvh(boundsOf(scene)), 0};
+  SceneTree tree{buildBvh(boundsOf(scene), 0, progress), 0};
   tree.build_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return tree;

@@ -19,7 +19,8 @@ struct SceneTree {
 std::size_t mostTriangles(int max_texture_size);
 
 // Errors: input, for more triangles than that.
-SceneTree buildSceneTree(const Scene& scene, int max_texture_size);
+SceneTree buildSceneTree(const Scene& scene, int max_texture_size,
+                         const WorkProgress& progress = {});
 
 // Errors: input, where the tree is deeper than the traversal can hold.
 void checkFits(const Traversal& traversal, std::size_t stack_size);

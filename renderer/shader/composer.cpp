@@ -125,14 +125,22 @@ std::string composeProbe(const std::vector<std::string>& files, const std::strin
   return shader + text;
 }
 
-std::string composeTraversalProbe(const std::string& traversal, const std::string& text) {
-  std::string shader = "#version 100\n" + shaderText("prelude.glsl");
+std::string composeTraversalProbe(const std::string& traversal, const std::string& text,
+                                  const std::vector<Insertion>& insertions) {
+  std::string shader = "#version 100\n";
+  const auto add = [&](const std::string& file) {
+    shader += shaderText(file);
+    for (const Insertion& insertion : insertions)
+      if (insertion.file == file) shader += insertion.text;
+  };
+  add("prelude.glsl");
   for (const Piece& piece : kPieces) {
     if (!(piece.passes & kCamera)) continue;
     if (piece.file == kTraversal) break;
-    shader += shaderText(piece.file);
+    add(piece.file);
   }
-  return shader + traversalText(traversal) + text;
+  for (const std::string& file : traversalNamed(traversal).files) add(file);
+  return shader + text;
 }
 
 }  // namespace glimt

@@ -40,9 +40,16 @@ std::string composeFragmentShader(const ShaderRequest& request);
 // of the device and of single functions. Errors: failed, for a file that does not exist.
 std::string composeProbe(const std::vector<std::string>& files, const std::string& text);
 
-// The same with a traversal and what it needs: the text calls closestHit and visibility. Errors:
-// usage, for a traversal that does not exist.
-std::string composeTraversalProbe(const std::string& traversal, const std::string& text);
+// Text that follows a file, where that is part of the shader.
+struct Insertion {
+  std::string file;
+  std::string text;
+};
+
+// The same with a traversal and what it needs: the text calls closestHit and visibility. Insertions
+// may define macros for the files behind them. Errors: usage, for a traversal that does not exist.
+std::string composeTraversalProbe(const std::string& traversal, const std::string& text,
+                                  const std::vector<Insertion>& insertions = {});
 
 // The text of a file in shaders/. Errors: failed, if there is none of that name.
 std::string shaderText(const std::string& file);

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 #include <random>
+#include <thread>
 
 #include "renderer/bvh/parallel_for.h"
 #include "renderer/bvh/reinsertion.h"
@@ -223,6 +224,33 @@ TEST_CASE("Reinsertion makes a careless tree cheaper, and it stays a tree") {
   reinsertNodes(bvh.nodes);
   checkTree(bvh, boxes);
   CHECK(costOf(bvh.nodes) < 0.95 * before);
+}
+
+TEST_CASE("Progress of building never goes down, and ends at 1") {
+  // The larger one is built without reinsertion.
+  for (const std::size_t count : {0u, 1u, 100000u, 210000u}) {
+    CAPTURE(count);
+    std::vector<float> told;
+    const auto caller = std::this_thread::get_id();
+    buildBvh(scattered(count, 9), 2, [&](float fraction) {
+      CHECK(std::this_thread::get_id() == caller);
+      told.push_back(fraction);
+    });
+    REQUIRE(!told.empty());
+    CHECK(told.front() >= 0);
+    CHECK(std::is_sorted(told.begin(), told.end()));
+    CHECK(told.back() == 1);
+    if (count >= 100000) CHECK(told.size() >= 5);
+  }
+}
+
+TEST_CASE("What progress throws ends building") {
+  for (const float end : {0.0f, 0.2f, 0.5f})
+    CHECK_THROWS_AS(buildBvh(scattered(100000, 9), 2,
+                             [&](float fraction) {
+                               if (fraction >= end) throw std::bad_alloc();
+                             }),
+                    std::bad_alloc);
 }
 
 TEST_CASE("A parallel loop calls its body once for each index") {
