@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "renderer/shader/composer.h"
+#include "renderer/shader/traversals.h"
 
 namespace glimt {
 namespace {
@@ -56,7 +57,8 @@ TraversalProgram::TraversalProgram(const gl::Device& device, const std::string& 
     : device_(&device) {
   const double start = now();
   const std::string main = question == Question::visibility ? kVisibility : kClosestHit;
-  program_.emplace(device.gl(), "traversal " + traversal, composeVertexShader(),
+  program_.emplace(device.gl(), "traversal " + traversal,
+                   composeVertexShader(traversalNamed(traversal).gles),
                    composeTraversalProbe(traversal, kRays + main));
   compile_seconds_ = now() - start;
 }

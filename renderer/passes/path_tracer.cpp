@@ -36,7 +36,7 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
                        const PathTracerSettings& settings, const SceneTree& tree)
     : device_(&device),
       points_(settings.seed),
-      traversal_(chooseTraversal(settings.traversal, tree.bvh, device.info().software)),
+      traversal_(chooseTraversal(settings.traversal, tree.bvh, device.info())),
       scene_(device, scene, tree, traversalNamed(traversal_).layout),
       offsets_(points_.makeOffsets(device)),
       camera_(scene.camera) {
@@ -50,9 +50,10 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
 
 void PathTracer::compile(const Scene& scene) {
   const auto start = std::chrono::steady_clock::now();
-  const std::string vertex = composeVertexShader();
+  const int gles = traversalNamed(traversal_).gles;
+  const std::string vertex = composeVertexShader(gles);
   for (const Pass pass : {Pass::camera, Pass::trace, Pass::light, Pass::accumulate}) {
-    const ShaderRequest request{pass, effectsOf(scene), traversal_, device_->floatBlending()};
+    const ShaderRequest request{pass, effectsOf(scene), traversal_, device_->floatBlending(), gles};
     programs_.emplace(
         pass, gl::Program(device_->gl(), nameOf(pass), vertex, composeFragmentShader(request)));
   }

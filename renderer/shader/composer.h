@@ -22,13 +22,14 @@ struct ShaderRequest {
   EffectSet effects;
   std::string traversal = "octant";  // see traversals.h
   bool additive_blending = true;     // the light pass adds by blending, not by reading
+  int gles = 2;                      // the OpenGL ES version whose language it is written in
 };
 
 // The name of a pass, for messages.
 std::string nameOf(Pass pass);
 
-// Vertex shader of every pass.
-std::string composeVertexShader();
+// Vertex shader of every pass, in the language that the fragment shader is in.
+std::string composeVertexShader(int gles = 2);
 
 // Errors: usage, for a traversal that does not exist.
 std::string composeFragmentShader(const ShaderRequest& request);
@@ -37,8 +38,8 @@ std::string composeFragmentShader(const ShaderRequest& request);
 // of the device and of single functions. Errors: failed, for a file that does not exist.
 std::string composeProbe(const std::vector<std::string>& files, const std::string& text);
 
-// The same with a traversal and what it needs: the text calls closestHit and visibility. Errors:
-// usage, for a traversal that does not exist.
+// The same with a traversal and what it needs, in the language of the version that it is for: the
+// text calls closestHit and visibility. Errors: usage, for a traversal that does not exist.
 std::string composeTraversalProbe(const std::string& traversal, const std::string& text);
 
 // The text of a file in shaders/. Errors: failed, if there is none of that name.
