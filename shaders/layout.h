@@ -29,9 +29,6 @@
 #define TRAIL_SIZE 44
 #define TRAIL_BITS 32
 
-// Places on the stack of traverse_short_stack.glsl, a power of two.
-#define SHORT_STACK_SIZE 4
-
 // Triangles in leaf order; see triangle_data.glsl.
 //   0: vertex 0 x, y, z; 1 + material index, negative for the last triangle of a leaf
 //   1: vertex 1 x, y, z; area
