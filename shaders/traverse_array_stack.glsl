@@ -1,5 +1,6 @@
 // A stack as one would write it: an array that is indexed at run time, which Appendix A of ES 2.0's
-// language does not promise. Depends on node_pair.glsl.
+// language does not promise. Mesa's softpipe reads wrong values from it, and walks in circles. Depends
+// on node_pair.glsl.
 
 struct Walk {
   GridRay ray;
