@@ -27,7 +27,7 @@ inline constexpr std::array kRayKinds{"camera", "bounce", "shadow"};
 struct TraversalBenchSettings {
   std::vector<std::size_t> triangles{1000, 70000, 500000, 2000000};  // about as many in each mesh
   int side = 512;                                                    // rays are side * side
-  int repeats = 7;                                                   // after one that is not timed
+  int repeats = 7;  // after one that is not timed; with 0 hits are compared and there are no rates
 };
 
 // One traversal on one mesh.
@@ -35,7 +35,7 @@ struct TraversalRow {
   std::string scene;
   std::size_t triangles = 0;
   std::string traversal;  // or "embree": the same rays on the processor, as a ceiling
-  std::optional<std::array<Rate, kRayKinds.size()>> rates;  // none: it does not run here, see note
+  std::optional<std::array<Rate, kRayKinds.size()>> rates;  // none: it was not timed, see note
   std::optional<double> compile_seconds;                    // none for Embree
   std::optional<double> gpu_bytes_per_triangle;             // none for Embree
   double bvh_seconds = 0;

@@ -13,13 +13,21 @@
 // pair at ROOT_PAIR, whose second has the same box and the link 0, which is the end.
 //   x, y, z: the box; an inner node: index of its first child; a leaf: -1 - index of its first
 //   triangle
+//
+// In triples (traverse_parent.glsl): the children of a node, and between them the way up. A link to
+// children is the index of what is between them. The root is the lower node beside ROOT_TRIPLE.
+//   a child: as in pairs, but of an inner node x, y or z is negative: the axis along which its
+//   lower child comes first between: 0: of the node above, the index of what is beside it, negative
+//   for a lower child, 0 at the root; 1 to 3: 1 for the axis of the node above, else 0
 #define NODE_GRID 4096.0
 #define ROOT_PAIR 2.0
+#define ROOT_TRIPLE 1.0
 
 // The deepest trees that the traversals hold, in levels of inner nodes with one for the end: places
-// on the stack of traverse_stack.glsl, bits of the trail of traverse_trail.glsl.
+// on a stack, bits of the trail in trail_float.glsl and in trail_bits.glsl.
 #define STACK_SIZE 32
-#define TRAIL_SIZE 24
+#define TRAIL_SIZE 44
+#define TRAIL_BITS 32
 
 // Turns of a traversal's loops, more than any sound tree asks for. A driver may stop earlier.
 #define MAX_STEPS 65536

@@ -1,6 +1,7 @@
 #include "renderer/bench/ray_work.h"
 
 #include "renderer/shader/composer.h"
+#include "renderer/shader/traversals.h"
 
 namespace glimt {
 namespace {
@@ -24,6 +25,7 @@ TriangleHit countedTriangle(vec3 origin, vec3 direction, vec3 v0, vec3 v1, vec3 
 )";
 
 constexpr const char* kCountTriangleFetches = R"(
+#undef texture2D
 #define texture2D(texels, at) countedFetch(vec4(0.0, 1.0, 0.0, 0.0), texels, at)
 )";
 
@@ -69,7 +71,9 @@ std::string countingShader(const std::string& traversal, TraversalProgram::Quest
   const bool visibility = question == TraversalProgram::Question::visibility;
   return composeTraversalProbe(
       traversal,
-      "#undef texture2D\n" + rayTexturesText() + (visibility ? kVisibility : kClosestHit),
+      std::string("#undef texture2D\n") +
+          (traversalNamed(traversal).gles < 3 ? "" : "#define texture2D texture\n") +
+          rayTexturesText() + (visibility ? kVisibility : kClosestHit),
       counting());
 }
 
@@ -78,7 +82,8 @@ std::string countingShader(const std::string& traversal, TraversalProgram::Quest
 std::vector<RayWork> countRayWork(const gl::Device& device, const std::string& traversal,
                                   TraversalProgram::Question question, const SceneTextures& scene,
                                   const RayTextures& rays) {
-  TraversalProgram(device, "counting traversal " + traversal, countingShader(traversal, question))
+  TraversalProgram(device, "counting traversal " + traversal, countingShader(traversal, question),
+                   traversalNamed(traversal).gles)
       .run(scene, rays);
   std::vector<RayWork> works;
   for (const Vec4& counted : readResults(rays))

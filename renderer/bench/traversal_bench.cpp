@@ -97,7 +97,8 @@ class MeshBench {
     Trees trees(*device_, scene_, treeProgress());
     makeRays(trees.of(kSkip));
     addEmbree();
-    for (const Traversal& traversal : traversals()) addTraversal(traversal.name, trees);
+    for (const Traversal& traversal : traversals())
+      if (traversal.gles <= device_->info().gles) addTraversal(traversal.name, trees);
     measure();
     return rows();
   }
@@ -193,13 +194,13 @@ class MeshBench {
   TraversalRow rowOf(const Measured& measured) const {
     TraversalRow row = measured.row;
     row.reference = reference().row.traversal;
-    row.rates.emplace();
+    if (settings_->repeats > 0) row.rates.emplace();
     row.agrees = true;
     for (std::size_t kind = 0; kind < kKinds; ++kind) {
       const std::size_t live = rays_[kind].countLive();
       const std::size_t different =
           countDifferent(rays_[kind], measured.results[kind], reference().results[kind]);
-      (*row.rates)[kind] = rateOf(measured.seconds[kind], live);
+      if (row.rates) (*row.rates)[kind] = rateOf(measured.seconds[kind], live);
       row.agrees = row.agrees && agree(different, live);
       row.different += different;
       row.compared += live;

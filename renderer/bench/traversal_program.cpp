@@ -2,6 +2,7 @@
 
 #include "renderer/bench/stopwatch.h"
 #include "renderer/shader/composer.h"
+#include "renderer/shader/traversals.h"
 
 namespace glimt {
 namespace {
@@ -56,13 +57,14 @@ TraversalProgram::TraversalProgram(const gl::Device& device, const std::string& 
           device, "traversal " + traversal,
           composeTraversalProbe(
               traversal,
-              kRays + std::string(question == Question::visibility ? kVisibility : kClosestHit))) {}
+              kRays + std::string(question == Question::visibility ? kVisibility : kClosestHit)),
+          traversalNamed(traversal).gles) {}
 
 TraversalProgram::TraversalProgram(const gl::Device& device, const std::string& name,
-                                   const std::string& shader)
+                                   const std::string& shader, int gles)
     : device_(&device) {
   compile_seconds_ = secondsOf(
-      device, [&] { program_.emplace(device.gl(), name, composeVertexShader(), shader); });
+      device, [&] { program_.emplace(device.gl(), name, composeVertexShader(gles), shader); });
 }
 
 double TraversalProgram::run(const SceneTextures& scene, const RayTextures& rays) {

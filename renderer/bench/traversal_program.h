@@ -38,7 +38,8 @@ class TraversalProgram {
   TraversalProgram(const gl::Device& device, const std::string& traversal, Question question);
 
   // A whole fragment shader, which finds its rays with rayTexturesText().
-  TraversalProgram(const gl::Device& device, const std::string& name, const std::string& shader);
+  TraversalProgram(const gl::Device& device, const std::string& name, const std::string& shader,
+                   int gles);
 
   // Casts all the rays and waits for them. Returns the seconds that took.
   double run(const SceneTextures& scene, const RayTextures& rays);

@@ -25,6 +25,9 @@ NodeLayout layOutOnce(const Bvh& bvh);
 // Children side by side.
 NodeLayout layOutPairs(const Bvh& bvh);
 
+// Children side by side, with the way up between them.
+NodeLayout layOutTriples(const Bvh& bvh);
+
 // How many entries the stack of a traversal has to hold at most: one for each inner node on the way
 // to a leaf, and the end.
 std::size_t stackSizeOf(const Bvh& bvh);

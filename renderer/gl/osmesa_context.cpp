@@ -1,5 +1,7 @@
 // Offscreen contexts through OSMesa: Mesa's software rasteriser behind a plain function call, for
 // machines on which EGL finds no driver at all.
+#include <fmt/format.h>
+
 #include <vector>
 
 #include "renderer/core/error.h"
@@ -34,8 +36,8 @@ class OsmesaContext final : public Context {
       makeCurrent();
       const auto get = library_.require<GetProcAddress>("OSMesaGetProcAddress");
       initialize("osmesa", gles, get);
-      if (!hasExtension("GL_ARB_ES2_compatibility"))
-        throw Error(ErrorKind::no_gl, "OSMesa has no GL_ARB_ES2_compatibility");
+      const std::string extension = fmt::format("GL_ARB_ES{}_compatibility", gles);
+      if (!hasExtension(extension)) throw Error(ErrorKind::no_gl, "OSMesa has no " + extension);
     } catch (...) {
       destroy_(context_);
       throw;

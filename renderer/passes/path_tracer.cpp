@@ -38,7 +38,7 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
                        const PathTracerSettings& settings, const SceneTree& tree)
     : device_(&device),
       points_(settings.seed),
-      traversal_(chooseTraversal(settings.traversal, tree.bvh, device.info().software,
+      traversal_(chooseTraversal(settings.traversal, tree.bvh, device.info(),
                                  mostTexels(device.maxTextureSize()))),
       scene_(device, scene, tree, traversalNamed(traversal_).layout),
       offsets_(points_.makeOffsets(device)),
@@ -71,11 +71,17 @@ bool PathTracer::marksEnded(int bounce) const {
 
 void PathTracer::compile() {
   const auto start = std::chrono::steady_clock::now();
-  const std::string vertex = composeVertexShader();
+  const int gles = traversalNamed(traversal_).gles;
+  const std::string vertex = composeVertexShader(gles);
   for (const Stage& stage : stages_) {
     if (programs_.contains(stage.pass)) continue;
-    const ShaderRequest request{stage.pass, effects_, traversal_, device_->floatBlending(),
-                                live_only_};
+    ShaderRequest request;
+    request.pass = stage.pass;
+    request.effects = effects_;
+    request.traversal = traversal_;
+    request.additive_blending = device_->floatBlending();
+    request.live_only = live_only_;
+    request.gles = gles;
     programs_.emplace(stage.pass, gl::Program(device_->gl(), nameOf(stage.pass), vertex,
                                               composeFragmentShader(request)));
   }

@@ -93,6 +93,8 @@ NodeLayout layOut(const Bvh& bvh, TreeLayout layout) {
       return layOutOnce(bvh);
     case TreeLayout::pairs:
       return layOutPairs(bvh);
+    case TreeLayout::triples:
+      return layOutTriples(bvh);
     case TreeLayout::none:
       break;
   }

@@ -57,15 +57,24 @@ void checkFits(const Traversal& traversal, std::size_t stack_size) {
                             stack_size, traversal.name, traversal.most_levels));
 }
 
-std::string chooseTraversal(const std::string& asked, const Bvh& bvh, bool software,
+void checkRuns(const Traversal& traversal, const ContextInfo& context) {
+  if (traversal.gles > context.gles)
+    throw Error(ErrorKind::usage,
+                fmt::format("traversal '{}' needs OpenGL ES {}.0; render with --gles {}, or choose "
+                            "another traversal",
+                            traversal.name, traversal.gles, traversal.gles));
+}
+
+std::string chooseTraversal(const std::string& asked, const Bvh& bvh, const ContextInfo& context,
                             std::size_t most_texels) {
   if (asked != "auto") {
+    checkRuns(traversalNamed(asked), context);
     checkFits(traversalNamed(asked), stackSizeOf(bvh));
     return asked;
   }
   const std::size_t octant_texels = kOctants * (bvh.nodes.size() + 1);
   if (bvh.order.size() <= kMostTrianglesForOctants && octant_texels <= most_texels)
-    return software ? "octant-ahead" : "octant";
+    return context.software ? "octant-ahead" : "octant";
   return stackSizeOf(bvh) <= STACK_SIZE ? "stack" : "skip";
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "renderer/bvh/bvh.h"
+#include "renderer/core/context_info.h"
 #include "renderer/scene/scene.h"
 #include "renderer/shader/traversals.h"
 
@@ -25,12 +26,16 @@ SceneTree buildSceneTree(const Scene& scene, int max_texture_size,
 // Errors: input, where the tree is deeper than the traversal can hold.
 void checkFits(const Traversal& traversal, std::size_t stack_size);
 
+// Errors: usage, where the traversal needs a later OpenGL ES than the context's.
+void checkRuns(const Traversal& traversal, const ContextInfo& context);
+
 // `asked` itself, or for "auto" the fastest of those that the tree fits, as measured in
-// docs/performance.md. While eight copies of the tree are small and fit into a texture of
-// `most_texels` these are the octants, with two nodes a step where the device is a CPU, else with
-// one. Above, it is the stack while it is deep enough, else skip. Errors: usage, for a traversal
-// that does not exist; input, for one that does not hold the tree.
-std::string chooseTraversal(const std::string& asked, const Bvh& bvh, bool software,
+// docs/performance.md; they run on any context. While eight copies of the tree are small and fit
+// into a texture of `most_texels` these are the octants, with two nodes a step where the device is
+// a CPU, else with one. Above, it is the stack while it is deep enough, else skip. Errors: usage,
+// for a traversal that does not exist or does not run on the context; input, for one that does not
+// hold the tree.
+std::string chooseTraversal(const std::string& asked, const Bvh& bvh, const ContextInfo& context,
                             std::size_t most_texels);
 
 }  // namespace glimt

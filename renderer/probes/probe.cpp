@@ -42,8 +42,8 @@ Probe::Probe(const gl::Device& device, const std::vector<std::string>& files,
              const std::string& text, int inputs)
     : Probe(device, compose(files, text, inputs)) {}
 
-Probe::Probe(const gl::Device& device, const std::string& shader)
-    : device_(&device), program_(device.gl(), "probe", composeVertexShader(), shader) {}
+Probe::Probe(const gl::Device& device, const std::string& shader, int gles)
+    : device_(&device), program_(device.gl(), "probe", composeVertexShader(gles), shader) {}
 
 std::vector<Vec4> Probe::run(const std::vector<std::vector<Vec4>>& lists, const Binder& bind,
                              int width) {

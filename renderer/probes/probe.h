@@ -19,9 +19,9 @@ class Probe {
   Probe(const gl::Device& device, const std::vector<std::string>& files, const std::string& text,
         int inputs = 1);
 
-  // A whole fragment shader. It finds its inputs in the samplers uInput0 and so on, at the pixel's
-  // centre times uProbeStep.
-  Probe(const gl::Device& device, const std::string& shader);
+  // A whole fragment shader, in the language of the given OpenGL ES version. It finds its inputs in
+  // the samplers uInput0 and so on, at the pixel's centre times uProbeStep.
+  Probe(const gl::Device& device, const std::string& shader, int gles = 2);
 
   // One result for each element of the lists, which are equally long and not empty. `bind` sets
   // uniforms of the program. The target has rows of `width` pixels. Errors: failed, for lists that

@@ -77,6 +77,13 @@ std::string traversalText(const std::string& name) {
   return text;
 }
 
+// What a fragment shader begins with.
+std::string startFor(int gles) {
+  const std::string version =
+      gles < 3 ? "#version 100\n" : "#version 300 es\n" + shaderText("es3.glsl");
+  return version + shaderText("prelude.glsl");
+}
+
 // `#if NAME` needs every name defined, to 1 or to 0.
 std::string defines(const ShaderRequest& request) {
   std::string text = fmt::format(
@@ -105,12 +112,14 @@ std::string shaderText(const std::string& file) {
   throw Error(ErrorKind::failed, "there is no shader file '" + file + "'");
 }
 
-std::string composeVertexShader() {
-  return "#version 100\n" + shaderText("full_screen.vert");
+std::string composeVertexShader(int gles) {
+  const std::string start =
+      gles < 3 ? "#version 100\n" : "#version 300 es\n" + shaderText("es3.vert");
+  return start + shaderText("full_screen.vert");
 }
 
 std::string composeFragmentShader(const ShaderRequest& request) {
-  std::string text = "#version 100\n" + shaderText("prelude.glsl") + defines(request);
+  std::string text = startFor(request.gles) + defines(request);
   for (const Piece& piece : kPieces) {
     if (!(piece.passes & bit(request.pass))) continue;
     if (piece.effect && !has(request.effects, *piece.effect)) continue;
@@ -120,20 +129,23 @@ std::string composeFragmentShader(const ShaderRequest& request) {
 }
 
 std::string composeProbe(const std::vector<std::string>& files, const std::string& text) {
-  std::string shader = "#version 100\n" + shaderText("prelude.glsl");
+  std::string shader = startFor(2);
   for (const std::string& file : files) shader += shaderText(file);
   return shader + text;
 }
 
 std::string composeTraversalProbe(const std::string& traversal, const std::string& text,
                                   const std::vector<Insertion>& insertions) {
-  std::string shader = "#version 100\n";
-  const auto add = [&](const std::string& file) {
-    shader += shaderText(file);
+  std::string shader = startFor(traversalNamed(traversal).gles);
+  const auto insertBehind = [&](const std::string& file) {
     for (const Insertion& insertion : insertions)
       if (insertion.file == file) shader += insertion.text;
   };
-  add("prelude.glsl");
+  const auto add = [&](const std::string& file) {
+    shader += shaderText(file);
+    insertBehind(file);
+  };
+  insertBehind("prelude.glsl");
   for (const Piece& piece : kPieces) {
     if (!(piece.passes & kCamera)) continue;
     if (piece.file == kTraversal) break;

@@ -25,13 +25,14 @@ struct ShaderRequest {
   std::string traversal = "octant";  // see traversals.h
   bool additive_blending = true;     // radiance is added by blending, not by reading
   bool live_only = false;            // draws are limited to live paths; see escape.glsl
+  int gles = 2;                      // the OpenGL ES version whose language it is written in
 };
 
 // The name of a pass, for messages.
 std::string nameOf(Pass pass);
 
-// Vertex shader of every pass.
-std::string composeVertexShader();
+// Vertex shader of every pass, in the language that the fragment shader is in.
+std::string composeVertexShader(int gles = 2);
 
 // Errors: usage, for a traversal that does not exist.
 std::string composeFragmentShader(const ShaderRequest& request);
@@ -46,8 +47,9 @@ struct Insertion {
   std::string text;
 };
 
-// The same with a traversal and what it needs: the text calls closestHit and visibility. Insertions
-// may define macros for the files behind them. Errors: usage, for a traversal that does not exist.
+// The same with a traversal and what it needs, in the language of the version that it is for: the
+// text calls closestHit and visibility. Insertions may define macros for the files behind them.
+// Errors: usage, for a traversal that does not exist.
 std::string composeTraversalProbe(const std::string& traversal, const std::string& text,
                                   const std::vector<Insertion>& insertions = {});
 

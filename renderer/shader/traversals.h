@@ -13,6 +13,7 @@ enum class TreeLayout {
   octants,  // depth first, eight copies
   once,     // depth first
   pairs,    // children side by side
+  triples,  // the same with the way up between them
 };
 
 struct Traversal {
@@ -20,6 +21,7 @@ struct Traversal {
   TreeLayout layout;
   std::vector<std::string> files;  // in the order in which they are put together
   std::size_t most_levels;         // the largest stackSizeOf() that it holds
+  int gles = 2;                    // the least OpenGL ES version that it runs on
 };
 
 // All of them, those first that are tried first.

@@ -26,34 +26,44 @@ Bvh chain(std::size_t inner_nodes, std::size_t primitives) {
   return bvh;
 }
 
+ContextInfo contextOf(int gles, bool software) {
+  ContextInfo context;
+  context.gles = gles;
+  context.software = software;
+  return context;
+}
+
+const ContextInfo kCpu = contextOf(2, true);
+const ContextInfo kGpu = contextOf(2, false);
+
 constexpr int kUsualTexture = 16384;  // pixels a side
 
-std::string choose(const std::string& asked, const Bvh& bvh, bool software,
+std::string choose(const std::string& asked, const Bvh& bvh, const ContextInfo& context,
                    int max_texture_size = kUsualTexture) {
-  return chooseTraversal(asked, bvh, software, mostTexels(max_texture_size));
+  return chooseTraversal(asked, bvh, context, mostTexels(max_texture_size));
 }
 
 }  // namespace
 
 TEST_CASE("auto takes the octants for small trees, however deep they are") {
-  CHECK(choose("auto", chain(3, 1000), true) == "octant-ahead");
-  CHECK(choose("auto", chain(100, 1000), true) == "octant-ahead");
+  CHECK(choose("auto", chain(3, 1000), kCpu) == "octant-ahead");
+  CHECK(choose("auto", chain(100, 1000), kCpu) == "octant-ahead");
 }
 
 TEST_CASE("auto looks one node ahead on a CPU only") {
-  CHECK(choose("auto", chain(3, 1000), true) == "octant-ahead");
-  CHECK(choose("auto", chain(3, 1000), false) == "octant");
+  CHECK(choose("auto", chain(3, 1000), kCpu) == "octant-ahead");
+  CHECK(choose("auto", chain(3, 1000), kGpu) == "octant");
 }
 
 TEST_CASE("auto takes the stack for large trees only while it is deep enough") {
-  CHECK(choose("auto", chain(STACK_SIZE - 1, 600000), true) == "stack");
-  CHECK(choose("auto", chain(STACK_SIZE, 600000), true) == "skip");
+  CHECK(choose("auto", chain(STACK_SIZE - 1, 600000), kCpu) == "stack");
+  CHECK(choose("auto", chain(STACK_SIZE, 600000), kCpu) == "skip");
 }
 
 TEST_CASE("auto leaves the octants where eight copies do not fit into a texture") {
   const Bvh bvh = chain(20, 1000);  // 41 nodes: 336 texels with one at each copy's end
-  CHECK(choose("auto", bvh, true, 32) == "octant-ahead");
-  CHECK(choose("auto", bvh, true, 16) == "stack");
+  CHECK(choose("auto", bvh, kCpu, 32) == "octant-ahead");
+  CHECK(choose("auto", bvh, kCpu, 16) == "stack");
 }
 
 TEST_CASE("a scene is refused where its triangles do not fit into the device's textures") {
@@ -68,6 +78,25 @@ TEST_CASE("a scene is refused where its triangles do not fit into the device's t
 }
 
 TEST_CASE("a traversal that is asked for by name is taken, and an unknown one is refused") {
-  CHECK(choose("trail", chain(3, 1000), true) == "trail");
-  CHECK_THROWS_AS(choose("magic", chain(3, 1000), true), Error);
+  CHECK(choose("trail", chain(3, 1000), kCpu) == "trail");
+  CHECK_THROWS_AS(choose("magic", chain(3, 1000), kCpu), Error);
+}
+
+TEST_CASE("a traversal for ES 3.0 is refused in a context of ES 2.0, with what to do") {
+  for (const Traversal& traversal : traversals()) {
+    CAPTURE(traversal.name);
+    CHECK(choose(traversal.name, chain(3, 1000), contextOf(3, true)) == traversal.name);
+    if (traversal.gles == 2) continue;
+    CHECK_THROWS_WITH(choose(traversal.name, chain(3, 1000), kCpu),
+                      Catch::Contains(traversal.name) && Catch::Contains("--gles 3"));
+  }
+}
+
+TEST_CASE("auto takes what runs in ES 2.0, whatever the context") {
+  for (const bool software : {true, false})
+    for (const std::size_t primitives : {1000u, 600000u})
+      for (const std::size_t depth : {3u, 100u}) {
+        const std::string chosen = choose("auto", chain(depth, primitives), contextOf(3, software));
+        CHECK(traversalNamed(chosen).gles == 2);
+      }
 }

@@ -78,16 +78,22 @@ Comparison compare(const Scene& scene, const Rays& rays, const std::vector<Vec4>
   return sum;
 }
 
-// Each traversal that holds the scene's tree on the first context, and the first traversal on each
+// The first context that it runs on.
+const test::TestContext* firstFor(const Traversal& traversal) {
+  for (const test::TestContext& context : test::contexts())
+    if (context.gles() >= traversal.gles) return &context;
+  return nullptr;
+}
+
+// Each traversal that holds the scene's tree on one context, and the first traversal on each
 // driver. The linear one would take minutes and, on llvmpipe, more turns than a loop has.
 template <class Test>
 void onEveryTraversal(const std::string& name, const Scene& scene, const Test& test) {
   test::onEveryContext([&](const test::TestContext& context) {
-    const bool first = &context == &test::contexts().front();
-    if (!first && context.egl()) return;
     for (const Traversal& traversal : traversals()) {
       if (traversal.layout == TreeLayout::none) continue;
-      if (!first && traversal.name != traversals().front().name) continue;
+      const bool another_driver = !context.egl() && traversal.name == traversals().front().name;
+      if (&context != firstFor(traversal) && !another_driver) continue;
       const SceneTextures textures(context.device(), scene, traversal.layout);
       if (textures.stackSize() > traversal.most_levels) {
         test::report("{}: too deep for {}", name, traversal.name);

@@ -20,6 +20,7 @@ class TestContext {
   gl::Context& context() const { return *context_; }
   bool egl() const { return name_.starts_with("egl"); }
   const gl::Device& device() const { return *device_; }
+  int gles() const { return device_->info().gles; }
   const gl::Functions& gl() const { return device_->gl(); }
   void makeCurrent() const { context_->makeCurrent(); }
 

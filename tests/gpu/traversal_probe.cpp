@@ -20,6 +20,7 @@ vec4 probe(vec4 origin, vec4 direction) {
 
 TraversalProbe::TraversalProbe(const gl::Device& device, const std::string& text,
                                const std::string& traversal)
-    : probe_(device, composeTraversalProbe(traversal, text + probeMain(2))) {}
+    : probe_(device, composeTraversalProbe(traversal, text + probeMain(2)),
+             traversalNamed(traversal).gles) {}
 
 }  // namespace glimt::test

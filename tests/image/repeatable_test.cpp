@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "renderer/core/error.h"
+#include "renderer/shader/traversals.h"
 #include "tests/image/pictures.h"
 #include "tests/image/scenes.h"
 
@@ -50,6 +51,22 @@ TEST_CASE("EGL and OSMesa give the same picture, bit for bit") {
     return;
   }
   CHECK(identical(egl, render(everything(), settingsFor(64, 3), 4, Backend::osmesa)));
+}
+
+TEST_CASE("all traversals give the same picture, bit for bit") {
+  ContextHandle context = createOffscreenContext(Backend::egl, 3);
+  const auto draw = [&](const std::string& traversal) {
+    RenderSettings settings = settingsFor(32, 3);
+    settings.traversal = traversal;
+    Renderer renderer(context, everything(), settings);
+    renderer.renderSample();
+    return renderer.radiance();
+  };
+  const Image image = draw("auto");
+  for (const std::string& traversal : traversalNames()) {
+    CAPTURE(traversal);
+    CHECK(identical(image, draw(traversal)));
+  }
 }
 
 TEST_CASE("ES 2 and ES 3 contexts give the same picture, bit for bit") {
