@@ -62,7 +62,9 @@ const auto kPieces = std::to_array<Piece>({
     {"environment.glsl", kLight, Effect::environment},
     {"light_sample.glsl", kLight, {}},
     {"trace.glsl", kCamera | kTrace, {}},
+    {"trace_pass.glsl", kCamera | kTrace, {}},
     {"light.glsl", kLight, {}},
+    {"light_pass.glsl", kLight, {}},
     {"accumulate.glsl", bit(Pass::accumulate), {}},
     {"display_transform.glsl", bit(Pass::display), {}},
     {"display.glsl", bit(Pass::display), {}},
@@ -76,8 +78,10 @@ std::string traversalText(const std::string& name) {
 
 // `#if NAME` needs every name defined, to 1 or to 0.
 std::string defines(const ShaderRequest& request) {
-  std::string text = fmt::format("#define FROM_CAMERA {:d}\n#define ADDITIVE_BLENDING {:d}\n",
-                                 request.pass == Pass::camera, request.additive_blending);
+  const bool camera = request.pass == Pass::camera;
+  std::string text = fmt::format(
+      "#define FROM_CAMERA {:d}\n#define FROM_RECORD {:d}\n#define ADDITIVE_BLENDING {:d}\n",
+      camera, !camera, request.additive_blending);
   for (int i = 0; i < kEffectCount; ++i) {
     std::string name = nameOf(static_cast<Effect>(i));
     std::transform(name.begin(), name.end(), name.begin(),
