@@ -8,6 +8,7 @@
 #include "renderer/bench/bench_mesh.h"
 #include "renderer/bench/bench_rays.h"
 #include "renderer/bench/hit_comparison.h"
+#include "renderer/bench/stopwatch.h"
 #include "renderer/bench/traversal_program.h"
 #include "renderer/core/error.h"
 #include "renderer/core/wording.h"
@@ -70,11 +71,10 @@ std::vector<float> distancesOf(const std::vector<Vec4>& results) {
   return distances;
 }
 
-Rate rateOf(std::vector<double> seconds, std::size_t rays) {
-  std::sort(seconds.begin(), seconds.end());
+Rate rateOf(const std::vector<double>& seconds, std::size_t rays) {
   const double million = static_cast<double>(rays) / 1e6;
-  return {million / seconds[seconds.size() / 2], million / seconds.back(),
-          million / seconds.front()};
+  const Spread spread = spreadOf(seconds);
+  return {million / spread.median, million / spread.most, million / spread.least};
 }
 
 class MeshBench {

@@ -1,7 +1,6 @@
 #include "renderer/bench/traversal_program.h"
 
-#include <chrono>
-
+#include "renderer/bench/stopwatch.h"
 #include "renderer/shader/composer.h"
 
 namespace glimt {
@@ -33,10 +32,6 @@ void main() {
   writeTexel(vec4(0.0, 0.0, 0.0, seen));
 })";
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 }  // namespace
 
 RayTextures::RayTextures(const gl::Device& device, const Rays& rays, int side)
@@ -54,29 +49,21 @@ void RayTextures::bind(gl::Program& program) const {
 TraversalProgram::TraversalProgram(const gl::Device& device, const std::string& traversal,
                                    Question question)
     : device_(&device) {
-  const double start = now();
   const std::string main = question == Question::visibility ? kVisibility : kClosestHit;
-  program_.emplace(device.gl(), "traversal " + traversal, composeVertexShader(),
-                   composeTraversalProbe(traversal, kRays + main));
-  compile_seconds_ = now() - start;
+  compile_seconds_ = secondsOf(device, [&] {
+    program_.emplace(device.gl(), "traversal " + traversal, composeVertexShader(),
+                     composeTraversalProbe(traversal, kRays + main));
+  });
 }
 
 double TraversalProgram::run(const SceneTextures& scene, const RayTextures& rays) {
   prepare(scene, rays);
-  device_->gl().Finish();
-  const double start = now();
-  device_->draw({0, 0, rays.side(), rays.side()});
-  device_->gl().Finish();
-  return now() - start;
+  return secondsOf(*device_, [&] { device_->draw({0, 0, rays.side(), rays.side()}); });
 }
 
 double TraversalProgram::compileSeconds(const SceneTextures& scene, const RayTextures& rays) {
   prepare(scene, rays);
-  device_->gl().Finish();
-  const double start = now();
-  device_->draw({0, 0, 1, 1});
-  device_->gl().Finish();
-  return compile_seconds_ + now() - start;
+  return compile_seconds_ + secondsOf(*device_, [&] { device_->draw({0, 0, 1, 1}); });
 }
 
 void TraversalProgram::prepare(const SceneTextures& scene, const RayTextures& rays) {

@@ -29,6 +29,8 @@ struct RayCounts {
 class PathTracer {
  public:
   PathTracer(const gl::Device& device, const Scene& scene, const PathTracerSettings& settings);
+  PathTracer(const gl::Device& device, const Scene& scene, const PathTracerSettings& settings,
+             const SceneTree& tree);
 
   void setCamera(const Camera& camera);
   void resize(int width, int height);
@@ -56,8 +58,6 @@ class PathTracer {
     int bounce;
   };
 
-  PathTracer(const gl::Device& device, const Scene& scene, const PathTracerSettings& settings,
-             const SceneTree& tree);
   gl::Program& program(Pass pass) { return programs_.at(pass); }
   void compile(const Scene& scene);
   gl::Tile nextTile(double pixels) const;
@@ -66,7 +66,6 @@ class PathTracer {
   void endStage(const Stage& stage);
   void countRays(const Stage& stage);
   void bindSamplePoint(gl::Program& program, const Stage& stage) const;
-  void bindCamera(gl::Program& program) const;
 
   const gl::Device* device_;
   SamplePoints points_;

@@ -21,8 +21,10 @@ constexpr unsigned bit(Pass pass) {
 constexpr unsigned kCamera = bit(Pass::camera);
 constexpr unsigned kTrace = bit(Pass::trace);
 constexpr unsigned kLight = bit(Pass::light);
-constexpr unsigned kPaths = kCamera | kTrace | kLight;
-constexpr unsigned kBounces = kTrace | kLight;  // start from a hit record
+constexpr unsigned kWholePath = bit(Pass::display) << 1;  // no pass; see composePathProbe
+constexpr unsigned kPaths = kCamera | kTrace | kLight | kWholePath;
+constexpr unsigned kBounces = kTrace | kLight | kWholePath;  // start from a hit record
+constexpr unsigned kArrivals = kLight | kWholePath;          // ask for the light at a hit
 
 struct Piece {
   const char* file;
@@ -56,15 +58,16 @@ const auto kPieces = std::to_array<Piece>({
     {"traversal.glsl", kPaths, {}},
     {"node_data.glsl", kPaths, {}},
     {kTraversal, kPaths, {}},
-    {"camera.glsl", kCamera, {}},
+    {"camera.glsl", kCamera | kWholePath, {}},
     {"light_share.glsl", kBounces, {}},
-    {"light_table.glsl", kLight, Effect::triangle_lights},
-    {"environment.glsl", kLight, Effect::environment},
-    {"light_sample.glsl", kLight, {}},
-    {"trace.glsl", kCamera | kTrace, {}},
+    {"light_table.glsl", kArrivals, Effect::triangle_lights},
+    {"environment.glsl", kArrivals, Effect::environment},
+    {"light_sample.glsl", kArrivals, {}},
+    {"trace.glsl", kCamera | kTrace | kWholePath, {}},
     {"trace_pass.glsl", kCamera | kTrace, {}},
-    {"light.glsl", kLight, {}},
+    {"light.glsl", kArrivals, {}},
     {"light_pass.glsl", kLight, {}},
+    {"whole_path.glsl", kWholePath, {}},
     {"accumulate.glsl", bit(Pass::accumulate), {}},
     {"display_transform.glsl", bit(Pass::display), {}},
     {"display.glsl", bit(Pass::display), {}},
@@ -76,17 +79,27 @@ std::string traversalText(const std::string& name) {
   return text;
 }
 
-// `#if NAME` needs every name defined, to 1 or to 0.
-std::string defines(const ShaderRequest& request) {
-  const bool camera = request.pass == Pass::camera;
+// What the files are told of the pass and, in `effects`, of the scene. `#if NAME` needs every name
+// defined, to 1 or to 0.
+std::string defines(unsigned pass, const EffectSet& effects, bool additive_blending) {
   std::string text = fmt::format(
       "#define FROM_CAMERA {:d}\n#define FROM_RECORD {:d}\n#define ADDITIVE_BLENDING {:d}\n",
-      camera, !camera, request.additive_blending);
+      (pass & (kCamera | kWholePath)) != 0, (pass & (kTrace | kWholePath)) != 0, additive_blending);
   for (int i = 0; i < kEffectCount; ++i) {
     std::string name = nameOf(static_cast<Effect>(i));
     std::transform(name.begin(), name.end(), name.begin(),
                    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    text += fmt::format("#define {} {:d}\n", name, request.effects[static_cast<std::size_t>(i)]);
+    text += fmt::format("#define {} {:d}\n", name, effects[static_cast<std::size_t>(i)]);
+  }
+  return text;
+}
+
+std::string pieces(unsigned pass, const EffectSet& effects, const std::string& traversal) {
+  std::string text;
+  for (const Piece& piece : kPieces) {
+    if (!(piece.passes & pass)) continue;
+    if (piece.effect && !has(effects, *piece.effect)) continue;
+    text += piece.file == kTraversal ? traversalText(traversal) : shaderText(piece.file);
   }
   return text;
 }
@@ -109,13 +122,10 @@ std::string composeVertexShader() {
 }
 
 std::string composeFragmentShader(const ShaderRequest& request) {
-  std::string text = "#version 100\n" + shaderText("prelude.glsl") + defines(request);
-  for (const Piece& piece : kPieces) {
-    if (!(piece.passes & bit(request.pass))) continue;
-    if (piece.effect && !has(request.effects, *piece.effect)) continue;
-    text += piece.file == kTraversal ? traversalText(request.traversal) : shaderText(piece.file);
-  }
-  return text;
+  const unsigned pass = bit(request.pass);
+  return "#version 100\n" + shaderText("prelude.glsl") +
+         defines(pass, request.effects, request.additive_blending) +
+         pieces(pass, request.effects, request.traversal);
 }
 
 std::string composeProbe(const std::vector<std::string>& files, const std::string& text) {
@@ -132,6 +142,12 @@ std::string composeTraversalProbe(const std::string& traversal, const std::strin
     shader += shaderText(piece.file);
   }
   return shader + traversalText(traversal) + text;
+}
+
+std::string composePathProbe(const EffectSet& effects, const std::string& traversal,
+                             const std::string& text) {
+  return "#version 100\n" + shaderText("prelude.glsl") + defines(kWholePath, effects, false) +
+         pieces(kWholePath, effects, traversal) + text;
 }
 
 }  // namespace glimt

@@ -41,6 +41,11 @@ std::string composeProbe(const std::vector<std::string>& files, const std::strin
 // usage, for a traversal that does not exist.
 std::string composeTraversalProbe(const std::string& traversal, const std::string& text);
 
+// The same with all that the effects call for from the camera to the radiance: the text calls the
+// functions of whole_path.glsl. Errors: usage, for a traversal that does not exist.
+std::string composePathProbe(const EffectSet& effects, const std::string& traversal,
+                             const std::string& text);
+
 // The text of a file in shaders/. Errors: failed, if there is none of that name.
 std::string shaderText(const std::string& file);
 
