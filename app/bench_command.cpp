@@ -1,22 +1,38 @@
 #include <cstdlib>
 
+#include "app/bench_chart.h"
 #include "app/bench_report.h"
 #include "app/commands.h"
 #include "app/json_output.h"
+#include "app/output_files.h"
 #include "app/progress.h"
+#include "renderer/core/file.h"
 
 namespace glimt {
 namespace {
 
 constexpr int kQuickRepeats = 5;
 
-TraversalBenchSettings settingsOf(const BenchOptions& options) {
+TraversalBenchSettings traversalSettings(const BenchOptions& options) {
   TraversalBenchSettings settings;
+  settings.side = options.side;
   if (options.quick) {
     settings.triangles.resize(2);
     settings.repeats = kQuickRepeats;
   }
   if (!options.triangles.empty()) settings.triangles = options.triangles;
+  return settings;
+}
+
+PassesBenchSettings passesSettings(const BenchOptions& options) {
+  PassesBenchSettings settings;
+  settings.side = options.side;
+  if (options.quick) {
+    settings.bounces = {1, 2, 4, 8};
+    settings.repeats = kQuickRepeats;
+  }
+  if (!options.triangles.empty()) settings.triangles = options.triangles;
+  if (!options.bounces.empty()) settings.bounces = options.bounces;
   return settings;
 }
 
@@ -26,19 +42,34 @@ void doWithoutShaderCache() {
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
 }
 
+template <typename Row>
+void writeResults(const std::vector<Row>& rows, const BenchOptions& options,
+                  const ContextInfo& context) {
+  const BenchConditions conditions{context, options.side};
+  // The table would spoil a report on the same output.
+  if (options.json != "-") writeOut(textOf(rows, conditions));
+  writeJson(options.json, jsonOf(rows, conditions));
+  if (!options.chart.empty()) writeFile(options.chart, chartOf(rows, conditions));
+}
+
 }  // namespace
 
 int runBench(const BenchOptions& options) {
   checkJsonFile(options.json);
+  if (!options.chart.empty()) checkWritable(options.chart);
   doWithoutShaderCache();
   ContextHandle context = createOffscreenContext(options.backend, options.gles);
   Progress progress(true);
-  const std::vector<TraversalRow> rows = benchTraversals(
-      context, settingsOf(options), [&](const std::string& what) { progress.show(what); });
-  progress.clear();
-  // The table would spoil a report on the same output.
-  if (options.json != "-") writeOut(textOf(rows, context.info()));
-  writeJson(options.json, jsonOf(rows, context.info()));
+  const auto show = [&](const std::string& what) { progress.show(what); };
+  if (options.suite == BenchSuite::passes) {
+    const auto rows = benchPasses(context, passesSettings(options), show);
+    progress.clear();
+    writeResults(rows, options, context.info());
+  } else {
+    const auto rows = benchTraversals(context, traversalSettings(options), show);
+    progress.clear();
+    writeResults(rows, options, context.info());
+  }
   return 0;
 }
 

@@ -1,0 +1,79 @@
+#include "app/chart.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace glimt {
+namespace {
+
+constexpr int kMostGridLines = 5;
+constexpr double kWhiskerHalfWidth = 2.5;
+constexpr std::string_view kGridColor = "#dddddd";
+constexpr std::string_view kQuietColor = "#555555";
+constexpr double kSmallText = 12;
+constexpr double kLetterWidth = 7.4;  // at most, on average, of small text
+
+// The smallest of 1, 2 and 5 times a power of ten with which few enough lines reach `most`.
+double roundStep(double most) {
+  const double least = std::max(most, 1e-12) / kMostGridLines;
+  const double power = std::pow(10, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * power >= least) return factor * power;
+  return 10 * power;
+}
+
+}  // namespace
+
+Plot::Plot(const Point& top_left, const Point& bottom_right, double most)
+    : top_left_(top_left),
+      bottom_right_(bottom_right),
+      step_(roundStep(most)),
+      high_(std::max(most * 1.04, step_)) {}
+
+double Plot::yOf(double value) const {
+  return bottom() - (bottom() - top()) * value / high_;
+}
+
+void Plot::drawGrid(Svg& svg) const {
+  for (int i = 0; i * step_ <= high_; ++i) {
+    const double y = yOf(i * step_);
+    svg.line({left(), y}, {right(), y}, {i == 0 ? kQuietColor : kGridColor, 1});
+    // Rounded, since 3 * 0.1 is not 0.3.
+    svg.text({left() - 6, y + 4}, fmt::format("{:.6g}", i * step_),
+             {kSmallText, kQuietColor, "end"});
+  }
+}
+
+void Plot::drawWhisker(Svg& svg, double x, const Spread& spread) const {
+  const LineStyle style{"#222222", 1};
+  const double low = yOf(spread.least);
+  const double high = yOf(spread.most);
+  svg.line({x, low}, {x, high}, style);
+  for (const double y : {low, high})
+    svg.line({x - kWhiskerHalfWidth, y}, {x + kWhiskerHalfWidth, y}, style);
+}
+
+void drawHeading(Svg& svg, const std::string& title, const std::string& device,
+                 const std::string& conditions, const std::vector<ChartKey>& keys) {
+  svg.text({kChartMargin, 26}, title, {17, "#222222", "start", true});
+  svg.text({kChartMargin, 46}, device, {kSmallText, kQuietColor});
+  svg.text({kChartMargin, 63}, conditions, {kSmallText, kQuietColor});
+  double x = kChartMargin;
+  for (const ChartKey& key : keys) {
+    svg.rectangle({x, 76}, {x + 12, 88}, key.color);
+    svg.text({x + 17, 87}, key.name, {kSmallText});
+    x += 35 + kLetterWidth * static_cast<double>(key.name.size());
+  }
+}
+
+std::string_view chartColor(std::size_t index) {
+  constexpr std::array<std::string_view, 10> kColors{"#0072b2", "#e69f00", "#009e73", "#cc79a7",
+                                                     "#56b4e9", "#d55e00", "#332288", "#999933",
+                                                     "#882255", "#44aa99"};
+  return kColors[index % kColors.size()];
+}
+
+}  // namespace glimt
