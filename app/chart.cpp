@@ -14,7 +14,8 @@ constexpr double kWhiskerHalfWidth = 2.5;
 constexpr std::string_view kGridColor = "#dddddd";
 constexpr std::string_view kQuietColor = "#555555";
 constexpr double kSmallText = 12;
-constexpr double kLetterWidth = 7.4;  // at most, on average, of small text
+constexpr double kMarkRadius = 4.5;
+constexpr double kLetterWidth = 7.2;  // at most, on average, of small text
 
 // The smallest of 1, 2 and 5 times a power of ten with which few enough lines reach `most`.
 double roundStep(double most) {
@@ -56,6 +57,22 @@ void Plot::drawWhisker(Svg& svg, double x, const Spread& spread) const {
     svg.line({x - kWhiskerHalfWidth, y}, {x + kWhiskerHalfWidth, y}, style);
 }
 
+void drawMark(Svg& svg, const Point& center, Mark mark, std::string_view color) {
+  const auto [x, y] = center;
+  const double r = kMarkRadius;
+  switch (mark) {
+    case Mark::square:
+      svg.rectangle({x - r, y - r}, {x + r, y + r}, color);
+      break;
+    case Mark::circle:
+      svg.circle(center, r, color);
+      break;
+    case Mark::triangle:
+      svg.polygon({{x, y - 1.3 * r}, {x + 1.2 * r, y + r}, {x - 1.2 * r, y + r}}, color);
+      break;
+  }
+}
+
 void drawHeading(Svg& svg, const std::string& title, const std::string& device,
                  const std::string& conditions, const std::vector<ChartKey>& keys) {
   svg.text({kChartMargin, 26}, title, {17, "#222222", "start", true});
@@ -63,9 +80,9 @@ void drawHeading(Svg& svg, const std::string& title, const std::string& device,
   svg.text({kChartMargin, 63}, conditions, {kSmallText, kQuietColor});
   double x = kChartMargin;
   for (const ChartKey& key : keys) {
-    svg.rectangle({x, 76}, {x + 12, 88}, key.color);
-    svg.text({x + 17, 87}, key.name, {kSmallText});
-    x += 35 + kLetterWidth * static_cast<double>(key.name.size());
+    drawMark(svg, {x + 5, 83}, key.mark, key.color);
+    svg.text({x + 14, 87}, key.name, {kSmallText});
+    x += 34 + kLetterWidth * static_cast<double>(key.name.size());
   }
 }
 

@@ -43,12 +43,18 @@ class Plot {
   double high_;  // value at the top
 };
 
+// Shapes differ too, for prints without colour.
+enum class Mark { square, circle, triangle };
+
+void drawMark(Svg& svg, const Point& center, Mark mark, std::string_view color);
+
 struct ChartKey {
   std::string name;
   std::string_view color;
+  Mark mark = Mark::square;
 };
 
-// Title, two lines below it, and in a third what the colours mean.
+// Title, two lines below it, and in a third what the marks mean.
 void drawHeading(Svg& svg, const std::string& title, const std::string& device,
                  const std::string& conditions, const std::vector<ChartKey>& keys);
 

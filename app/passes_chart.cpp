@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kPanelHeight = 240;
 constexpr double kAxisWidth = 56;
-constexpr double kMarkRadius = 4;
 constexpr std::array kVariants{kPasses, kLoop, kUnrolled};
+constexpr std::array kMarks{Mark::circle, Mark::square, Mark::triangle};
 constexpr std::array kMeanings{"one pass per bounce", "one shader, a loop over the bounces",
                                "one shader, the bounces written out"};
 
@@ -48,7 +48,7 @@ class PassesChart {
       : scenes_(scenesOf(rows)), svg_(kChartWidth, kChartHeading + 2 * kPanelHeight + 6) {
     std::vector<ChartKey> keys;
     for (std::size_t i = 0; i < kVariants.size(); ++i)
-      keys.push_back({fmt::format("{}: {}", kVariants[i], kMeanings[i]), chartColor(i)});
+      keys.push_back({fmt::format("{}: {}", kVariants[i], kMeanings[i]), chartColor(i), kMarks[i]});
     drawHeading(svg_, "All bounces in one shader, or one pass per bounce",
                 fmt::format("{}, {}", printable(conditions.context.renderer),
                             printable(conditions.context.version)),
@@ -126,18 +126,7 @@ class PassesChart {
       }
     }
     svg_.polyline(points, {chartColor(variant), 2});
-    for (const Point& point : points) drawMark(point, variant);
-  }
-
-  // Shapes differ too, for prints without colour.
-  void drawMark(const Point& at, std::size_t variant) {
-    const double r = kMarkRadius;
-    if (variant == 0) svg_.circle(at, r, chartColor(variant));
-    if (variant == 1)
-      svg_.rectangle({at.x - r, at.y - r}, {at.x + r, at.y + r}, chartColor(variant));
-    if (variant == 2)
-      svg_.polygon({{at.x, at.y - 1.3 * r}, {at.x + 1.2 * r, at.y + r}, {at.x - 1.2 * r, at.y + r}},
-                   chartColor(variant));
+    for (const Point& point : points) drawMark(svg_, point, kMarks[variant], chartColor(variant));
   }
 
   void drawRefusal(const Point& at, std::size_t variant) {
