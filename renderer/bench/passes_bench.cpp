@@ -5,7 +5,7 @@
 
 #include "renderer/bench.h"
 #include "renderer/bench/bench_mesh.h"
-#include "renderer/bench/picture_agreement.h"
+#include "renderer/bench/picture_comparison.h"
 #include "renderer/bench/stopwatch.h"
 #include "renderer/bench/whole_path.h"
 #include "renderer/core/error.h"
@@ -20,7 +20,7 @@ using Progress = std::function<void(const std::string&)>;
 struct Candidate {
   std::function<void(int side)> resize;
   std::function<void()> draw_sample;
-  std::function<std::vector<Vec4>()> read_mean;
+  std::function<std::vector<Vec4>()> read_radiance;  // of the last sample
 };
 
 // The renderer's own passes, each over the whole picture at once.
@@ -32,12 +32,12 @@ Candidate candidateOf(const std::shared_ptr<PathTracer>& tracer) {
             const int before = tracer->samples();
             while (tracer->samples() == before) tracer->drawTile(all);
           },
-          [tracer] { return tracer->film().mean.front().readFloats(); }};
+          [tracer] { return tracer->film().radiance.front().readFloats(); }};
 }
 
 Candidate candidateOf(const std::shared_ptr<WholePathTracer>& tracer) {
   return {[tracer](int side) { tracer->resize(side, side); }, [tracer] { tracer->drawSample(); },
-          [tracer] { return tracer->readMean(); }};
+          [tracer] { return tracer->readRadiance(); }};
 }
 
 // The ways to trace one scene with one number of bounces.
@@ -54,13 +54,16 @@ class BounceBench {
 
   // Repeats go round the candidates, so that a slow moment of the machine is not one candidate's.
   std::vector<PassesRow> run() {
-    for (int repeat = 0; repeat <= settings_->repeats; ++repeat)
+    for (int repeat = 0; repeat <= settings_->repeats; ++repeat) {
       for (Measured& measured : measured_) {
         const double seconds = secondsOf(*device_, measured.candidate.draw_sample);
         if (repeat > 0) measured.seconds.push_back(seconds);
       }
-    const std::vector<Vec4> reference = measured_.front().candidate.read_mean();
-    for (const Measured& measured : measured_) finishRow(measured, reference);
+      const std::vector<Vec4> reference = measured_.front().candidate.read_radiance();
+      for (Measured& measured : measured_)
+        measured.comparison.add(measured.candidate.read_radiance(), reference);
+    }
+    for (const Measured& measured : measured_) finishRow(measured);
     return rows_;
   }
 
@@ -69,6 +72,7 @@ class BounceBench {
     std::size_t row;
     Candidate candidate;
     std::vector<double> seconds;
+    PictureComparison comparison;  // with the passes
   };
 
   void addPasses(const SceneTree& tree) {
@@ -111,17 +115,15 @@ class BounceBench {
     candidate.resize(1);
     rows_.back().compile_seconds = compile_seconds + secondsOf(*device_, candidate.draw_sample);
     candidate.resize(settings_->side);
-    measured_.push_back({rows_.size() - 1, candidate, {}});
+    measured_.push_back({rows_.size() - 1, candidate, {}, {}});
   }
 
-  void finishRow(const Measured& measured, const std::vector<Vec4>& reference) {
+  void finishRow(const Measured& measured) {
     PassesRow& row = rows_[measured.row];
     row.sample_seconds = spreadOf(measured.seconds);
-    const PictureAgreement agreement =
-        comparePictures(measured.candidate.read_mean(), reference, settings_->repeats + 1);
-    row.agrees = agreement.agrees;
-    if (agreement.lost > 0)
-      row.note = fmt::format("{} lost samples", counted(agreement.lost, "pixel"));
+    row.agrees = measured.comparison.agrees();
+    const std::size_t lost = measured.comparison.lost();
+    if (lost > 0) row.note = fmt::format("{} cut short or not finite", counted(lost, "path"));
   }
 
   const gl::Device* device_;

@@ -29,8 +29,8 @@ class WholePathTracer {
 
   void drawSample();
 
-  // Mean of the samples; their number in the fourth channel.
-  std::vector<Vec4> readMean() const { return mean_.front().readFloats(); }
+  // Of the last sample.
+  std::vector<Vec4> readRadiance() const { return radiance_.readFloats(); }
 
  private:
   void bindSamplePoints();

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "renderer/bench/bench_mesh.h"
-#include "renderer/bench/picture_agreement.h"
+#include "renderer/bench/picture_comparison.h"
 #include "tests/gpu/contexts.h"
 
 using namespace glimt;
@@ -29,45 +29,37 @@ PathTracerSettings settingsFor(int bounces) {
   return settings;
 }
 
-std::vector<Vec4> drawPasses(PathTracer& tracer) {
-  tracer.resize(kSide, kSide);
-  while (tracer.samples() < kSamples) tracer.drawTile(kSide * kSide);
-  return tracer.film().mean.front().readFloats();
-}
-
-std::vector<Vec4> drawWholePaths(const TestContext& context, const Scene& scene,
-                                 const SceneTextures& textures, int bounces, PathForm form) {
-  WholePathTracer tracer(context.device(), scene, textures, settingsFor(bounces), form);
-  tracer.resize(kSide, kSide);
-  for (int i = 0; i < kSamples; ++i) tracer.drawSample();
-  return tracer.readMean();
+// Of whole paths with `bounces` with passes of two.
+PictureComparison compare(const TestContext& context, const Scene& scene, PathForm form,
+                          int bounces = 2) {
+  PathTracer passes(context.device(), scene, settingsFor(2));
+  WholePathTracer whole(context.device(), scene, passes.scene(), settingsFor(bounces), form);
+  passes.resize(kSide, kSide);
+  whole.resize(kSide, kSide);
+  PictureComparison comparison;
+  for (int sample = 1; sample <= kSamples; ++sample) {
+    while (passes.samples() < sample) passes.drawTile(kSide * kSide);
+    whole.drawSample();
+    comparison.add(whole.readRadiance(), passes.film().radiance.front().readFloats());
+  }
+  return comparison;
 }
 
 }  // namespace
 
 TEST_CASE("a whole path in one shader gives the picture of the passes, looped or unrolled") {
   onEveryContext([](const TestContext& context) {
-    for (const Scene& scene : scenes()) {
-      PathTracer passes(context.device(), scene, settingsFor(2));
-      const std::vector<Vec4> reference = drawPasses(passes);
+    for (const Scene& scene : scenes())
       for (const PathForm form : {PathForm::loop, PathForm::unrolled}) {
         INFO(context.name() << ", " << scene.name << ", form " << static_cast<int>(form));
-        const PictureAgreement same = comparePictures(
-            drawWholePaths(context, scene, passes.scene(), 2, form), reference, kSamples);
-        CHECK(same.agrees);
-        CHECK(same.lost == 0);
+        const PictureComparison comparison = compare(context, scene, form);
+        CHECK(comparison.agrees());
+        CHECK(comparison.lost() == 0);
       }
-    }
   });
 }
 
 TEST_CASE("a whole path with one bounce less is told from the passes") {
-  const TestContext& context = contexts().front();
-  context.makeCurrent();
-  const Scene scene = makeBenchBox();
-  PathTracer passes(context.device(), scene, settingsFor(2));
-  const std::vector<Vec4> reference = drawPasses(passes);
-  CHECK_FALSE(comparePictures(drawWholePaths(context, scene, passes.scene(), 1, PathForm::loop),
-                              reference, kSamples)
-                  .agrees);
+  contexts().front().makeCurrent();
+  CHECK_FALSE(compare(contexts().front(), makeBenchBox(), PathForm::loop, 1).agrees());
 }
