@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "renderer/core/wording.h"
+
 namespace glimt {
 namespace {
 
@@ -73,11 +75,14 @@ void drawMark(Svg& svg, const Point& center, Mark mark, std::string_view color) 
   }
 }
 
-void drawHeading(Svg& svg, const std::string& title, const std::string& device,
-                 const std::string& conditions, const std::vector<ChartKey>& keys) {
+void drawHeading(Svg& svg, const std::string& title, const BenchConditions& conditions,
+                 const std::string& measured, const std::vector<ChartKey>& keys) {
+  const std::string device = fmt::format("{}, {}", printable(conditions.context.renderer),
+                                         printable(conditions.context.version));
+  const TextStyle quiet{kSmallText, kQuietColor};
   svg.text({kChartMargin, 26}, title, {17, "#222222", "start", true});
-  svg.text({kChartMargin, 46}, device, {kSmallText, kQuietColor});
-  svg.text({kChartMargin, 63}, conditions, {kSmallText, kQuietColor});
+  svg.text({kChartMargin, 46}, device, quiet);
+  svg.text({kChartMargin, 63}, fmt::format("{0} x {0} {1}", conditions.side, measured), quiet);
   double x = kChartMargin;
   for (const ChartKey& key : keys) {
     drawMark(svg, {x + 5, 83}, key.mark, key.color);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/bench_conditions.h"
 #include "app/svg.h"
 #include "renderer/bench.h"
 
@@ -54,9 +55,10 @@ struct ChartKey {
   Mark mark = Mark::square;
 };
 
-// Title, two lines below it, and in a third what the marks mean.
-void drawHeading(Svg& svg, const std::string& title, const std::string& device,
-                 const std::string& conditions, const std::vector<ChartKey>& keys);
+// Title, device and version, and what was measured and drawn, such as "rays of each kind; bars:
+// ...", which follows the size; then what the marks mean.
+void drawHeading(Svg& svg, const std::string& title, const BenchConditions& conditions,
+                 const std::string& measured, const std::vector<ChartKey>& keys);
 
 // Told apart with any kind of colour blindness: Okabe and Ito 2008, "Color Universal Design",
 // without yellow, which is too pale for lines on white, and some of Tol's muted ones behind them.

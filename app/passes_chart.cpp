@@ -49,12 +49,8 @@ class PassesChart {
     std::vector<ChartKey> keys;
     for (std::size_t i = 0; i < kVariants.size(); ++i)
       keys.push_back({fmt::format("{}: {}", kVariants[i], kMeanings[i]), chartColor(i), kMarks[i]});
-    drawHeading(svg_, "All bounces in one shader, or one pass per bounce",
-                fmt::format("{}, {}", printable(conditions.context.renderer),
-                            printable(conditions.context.version)),
-                fmt::format("{0} x {0} pixels; points: median of the repeats, whiskers: least and "
-                            "most; lower is faster",
-                            conditions.side),
+    drawHeading(svg_, "All bounces in one shader, or one pass per bounce", conditions,
+                "pixels; points: median of the repeats, whiskers: least and most; lower is faster",
                 keys);
     for (std::size_t column = 0; column < scenes_.size(); ++column) {
       drawPanel(column, 0, "seconds per sample", sampleSeconds);

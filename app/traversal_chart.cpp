@@ -74,14 +74,10 @@ class TraversalChart {
       keys.push_back({"Embree on the processor", kCeilingLine});
       break;
     }
-    drawHeading(
-        svg_, "Million rays per second, by traversal",
-        fmt::format("{}, {}", printable(conditions.context.renderer),
-                    printable(conditions.context.version)),
-        fmt::format("{0} x {0} rays of each kind; bars: median of the repeats, whiskers: least and "
-                    "most; higher is faster",
-                    conditions.side),
-        keys);
+    drawHeading(svg_, "Million rays per second, by traversal", conditions,
+                "rays of each kind; bars: median of the repeats, whiskers: least and most; higher "
+                "is faster",
+                keys);
   }
 
   // All kinds of one mesh share an axis.

@@ -93,12 +93,16 @@ void WholePathTracer::bindSamplePoints() {
   paths_.set("uOffsets", offsets_);
 }
 
+void WholePathTracer::use(gl::Program& program) const {
+  program.use();
+  program.set("uZero", Vec4(0));
+  program.set("uPictureStep", 1.0f / Vec2(radiance_.width(), radiance_.height()));
+}
+
 void WholePathTracer::drawPaths() {
   const int width = radiance_.width();
   const int height = radiance_.height();
-  paths_.use();
-  paths_.set("uZero", Vec4(0));
-  paths_.set("uPictureStep", 1.0f / Vec2(width, height));
+  use(paths_);
   textures_->bind(paths_);
   bindSamplePoints();
   bindCamera(paths_, camera_, width, height);
@@ -107,15 +111,11 @@ void WholePathTracer::drawPaths() {
 }
 
 void WholePathTracer::accumulate() {
-  const int width = radiance_.width();
-  const int height = radiance_.height();
-  accumulate_.use();
-  accumulate_.set("uZero", Vec4(0));
-  accumulate_.set("uPictureStep", 1.0f / Vec2(width, height));
+  use(accumulate_);
   accumulate_.set("uRadiance", radiance_.texture());
   accumulate_.set("uMean", mean_.front().texture());
   mean_.back().bind();
-  device_->draw({0, 0, width, height});
+  device_->draw({0, 0, radiance_.width(), radiance_.height()});
   mean_.swap();
 }
 

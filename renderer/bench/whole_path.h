@@ -33,6 +33,7 @@ class WholePathTracer {
   std::vector<Vec4> readRadiance() const { return radiance_.readFloats(); }
 
  private:
+  void use(gl::Program& program) const;
   void bindSamplePoints();
   void drawPaths();
   void accumulate();
