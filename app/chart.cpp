@@ -17,6 +17,8 @@ constexpr std::string_view kGridColor = "#dddddd";
 constexpr std::string_view kQuietColor = "#555555";
 constexpr double kSmallText = 12;
 constexpr double kMarkRadius = 4.5;
+constexpr double kMarkToText = 9;
+constexpr double kKeyLine = 19;
 constexpr double kLetterWidth = 7.2;  // at most, on average, of small text
 
 // The smallest of 1, 2 and 5 times a power of ten with which few enough lines reach `most`.
@@ -26,6 +28,20 @@ double roundStep(double most) {
   for (const double factor : {1.0, 2.0, 5.0})
     if (factor * power >= least) return factor * power;
   return 10 * power;
+}
+
+// Centres of the keys' marks.
+std::vector<Point> placesOf(const std::vector<ChartKey>& keys) {
+  std::vector<Point> places;
+  Point next{kChartMargin + 5, 83};
+  for (const ChartKey& key : keys) {
+    const double width = kLetterWidth * static_cast<double>(key.name.size());
+    if (next.x + kMarkToText + width > kChartWidth - kChartMargin)
+      next = {kChartMargin + 5, next.y + kKeyLine};
+    places.push_back(next);
+    next.x += kMarkToText + width + 25;
+  }
+  return places;
 }
 
 }  // namespace
@@ -83,12 +99,15 @@ void drawHeading(Svg& svg, const std::string& title, const BenchConditions& cond
   svg.text({kChartMargin, 26}, title, {17, "#222222", "start", true});
   svg.text({kChartMargin, 46}, device, quiet);
   svg.text({kChartMargin, 63}, fmt::format("{0} x {0} {1}", conditions.side, measured), quiet);
-  double x = kChartMargin;
-  for (const ChartKey& key : keys) {
-    drawMark(svg, {x + 5, 83}, key.mark, key.color);
-    svg.text({x + 14, 87}, key.name, {kSmallText});
-    x += 34 + kLetterWidth * static_cast<double>(key.name.size());
+  const std::vector<Point> places = placesOf(keys);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    drawMark(svg, places[i], keys[i].mark, keys[i].color);
+    svg.text({places[i].x + kMarkToText, places[i].y + 4}, keys[i].name, {kSmallText});
   }
+}
+
+double headingHeight(const std::vector<ChartKey>& keys) {
+  return (keys.empty() ? 83 : placesOf(keys).back().y) + 17;
 }
 
 std::string_view chartColor(std::size_t index) {

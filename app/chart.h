@@ -14,9 +14,6 @@ namespace glimt {
 inline constexpr double kChartWidth = 900;
 inline constexpr double kChartMargin = 16;
 
-// Below this comes the first panel.
-inline constexpr double kChartHeading = 100;
-
 // A rectangle to draw values in, from zero at its bottom.
 class Plot {
  public:
@@ -54,6 +51,10 @@ struct ChartKey {
   std::string_view color;
   Mark mark = Mark::square;
 };
+
+// Where the first panel begins below a heading with these keys, which take as many lines as they
+// need.
+double headingHeight(const std::vector<ChartKey>& keys);
 
 // Title, device and version, and what was measured and drawn, such as "rays of each kind; bars:
 // ...", which follows the size; then what the marks mean.

@@ -45,13 +45,12 @@ std::optional<Spread> compileSeconds(const PassesRow& row) {
 class PassesChart {
  public:
   PassesChart(const std::vector<PassesRow>& rows, const BenchConditions& conditions)
-      : scenes_(scenesOf(rows)), svg_(kChartWidth, kChartHeading + 2 * kPanelHeight + 6) {
-    std::vector<ChartKey> keys;
-    for (std::size_t i = 0; i < kVariants.size(); ++i)
-      keys.push_back({fmt::format("{}: {}", kVariants[i], kMeanings[i]), chartColor(i), kMarks[i]});
+      : scenes_(scenesOf(rows)),
+        top_(headingHeight(keys())),
+        svg_(kChartWidth, top_ + 2 * kPanelHeight + 6) {
     drawHeading(svg_, "All bounces in one shader, or one pass per bounce", conditions,
                 "pixels; points: median of the repeats, whiskers: least and most; lower is faster",
-                keys);
+                keys());
     for (std::size_t column = 0; column < scenes_.size(); ++column) {
       drawPanel(column, 0, "seconds per sample", sampleSeconds);
       drawPanel(column, 1, "seconds to compile", compileSeconds);
@@ -61,11 +60,18 @@ class PassesChart {
   std::string file() const { return svg_.file(); }
 
  private:
+  static std::vector<ChartKey> keys() {
+    std::vector<ChartKey> keys;
+    for (std::size_t i = 0; i < kVariants.size(); ++i)
+      keys.push_back({fmt::format("{}: {}", kVariants[i], kMeanings[i]), chartColor(i), kMarks[i]});
+    return keys;
+  }
+
   void drawPanel(std::size_t column, int row, const std::string& what, Value value) {
     const Rows& rows = scenes_[column];
     const double width = (kChartWidth - 2 * kChartMargin) / static_cast<double>(scenes_.size());
     const double x = kChartMargin + width * static_cast<double>(column);
-    const double y = kChartHeading + kPanelHeight * row;
+    const double y = top_ + kPanelHeight * row;
     const Plot plot({x + kAxisWidth, y + 34}, {x + width - 12, y + kPanelHeight - 40},
                     mostOf(rows, value));
     svg_.text({plot.left(), y + 20},
@@ -118,18 +124,21 @@ class PassesChart {
         if (spread->least < spread->most) plot.drawWhisker(svg_, x, *spread);
         points.push_back({x, plot.yOf(spread->median)});
       } else {
-        drawRefusal({x, plot.bottom() - 8}, variant);
+        drawRefusal(plot, xOf(plot, rows, row->bounces), variant);
       }
     }
     svg_.polyline(points, {chartColor(variant), 2});
     for (const Point& point : points) drawMark(svg_, point, kMarks[variant], chartColor(variant));
   }
 
-  void drawRefusal(const Point& at, std::size_t variant) {
-    svg_.text(at, "refused", {11, chartColor(variant), "start", false, -90});
+  // Upwards from the axis, the variants beside each other.
+  void drawRefusal(const Plot& plot, double x, std::size_t variant) {
+    svg_.text({x + 4 + 12 * (static_cast<double>(variant) - 1), plot.bottom() - 8}, "refused",
+              {11, chartColor(variant), "start", false, -90});
   }
 
   std::vector<Rows> scenes_;
+  double top_;  // of the first panel
   Svg svg_;
 };
 

@@ -54,8 +54,12 @@ class TraversalChart {
       : meshes_(meshesOf(rows)),
         names_(traversalsOf(rows)),
         columns_(meshes_.size() > 1 ? 2 : 1),
-        svg_(kChartWidth, kChartHeading + kPanelHeight * rowCount() + 6) {
-    drawTitle(conditions);
+        top_(headingHeight(keys())),
+        svg_(kChartWidth, top_ + kPanelHeight * rowCount() + 6) {
+    drawHeading(svg_, "Million rays per second, by traversal", conditions,
+                "rays of each kind; bars: median of the repeats, whiskers: least and most; higher "
+                "is faster",
+                keys());
     for (std::size_t i = 0; i < meshes_.size(); ++i) drawPanel(i);
   }
 
@@ -66,18 +70,13 @@ class TraversalChart {
     return static_cast<double>((meshes_.size() + columns_ - 1) / columns_);
   }
 
-  void drawTitle(const BenchConditions& conditions) {
+  std::vector<ChartKey> keys() const {
     std::vector<ChartKey> keys;
     for (std::size_t i = 0; i < names_.size(); ++i) keys.push_back({names_[i], chartColor(i)});
-    for (const Mesh& mesh : meshes_) {
-      if (mesh.ceiling == nullptr) continue;
+    const auto capped = [](const Mesh& mesh) { return mesh.ceiling != nullptr; };
+    if (std::any_of(meshes_.begin(), meshes_.end(), capped))
       keys.push_back({"Embree on the processor", kCeilingLine});
-      break;
-    }
-    drawHeading(svg_, "Million rays per second, by traversal", conditions,
-                "rays of each kind; bars: median of the repeats, whiskers: least and most; higher "
-                "is faster",
-                keys);
+    return keys;
   }
 
   // All kinds of one mesh share an axis.
@@ -85,7 +84,7 @@ class TraversalChart {
     const Mesh& mesh = meshes_[index];
     const double width = (kChartWidth - 2 * kChartMargin) / static_cast<double>(columns_);
     const double x = kChartMargin + width * static_cast<double>(index % columns_);
-    const double y = kChartHeading + kPanelHeight * static_cast<double>(index / columns_);
+    const double y = top_ + kPanelHeight * static_cast<double>(index / columns_);
     const Plot plot({x + kAxisWidth, y + 34}, {x + width - 12, y + kPanelHeight - 34},
                     mostOf(mesh));
     svg_.text({plot.left(), y + 20}, counted(mesh.triangles, "triangle"),
@@ -151,6 +150,7 @@ class TraversalChart {
   std::vector<Mesh> meshes_;
   std::vector<std::string> names_;
   std::size_t columns_;
+  double top_;  // of the first panel
   Svg svg_;
 };
 
