@@ -14,8 +14,8 @@ constexpr double kPanelHeight = 240;
 constexpr double kAxisWidth = 56;
 constexpr std::array kVariants{kPasses, kLoop, kUnrolled};
 constexpr std::array kMarks{Mark::circle, Mark::square, Mark::triangle};
-constexpr std::array kMeanings{"one pass per bounce", "one shader, a loop over the bounces",
-                               "one shader, the bounces written out"};
+constexpr std::array kMeanings{"one pass per bounce", "one shader with a loop",
+                               "one shader, bounces written out"};
 
 using Rows = std::vector<const PassesRow*>;
 
