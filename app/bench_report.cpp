@@ -51,6 +51,34 @@ Json jsonOf(const TraversalRow& row, const ContextInfo& context) {
   return json;
 }
 
+Json jsonOf(const Spread& spread) {
+  return {{"median", rounded(spread.median)},
+          {"least", rounded(spread.least)},
+          {"most", rounded(spread.most)}};
+}
+
+Json jsonOf(const PassesRow& row, const ContextInfo& context) {
+  Json json{{"suite", "passes"},      {"scene", row.scene},     {"triangles", row.triangles},
+            {"bounces", row.bounces}, {"variant", row.variant}, {"traversal", row.traversal},
+            {"gles", context.gles}};
+  json["compile_seconds"] = jsonOf(row.compile_seconds);
+  json["sample_seconds"] = row.sample_seconds ? jsonOf(*row.sample_seconds) : Json(nullptr);
+  json["agrees"] = row.agrees ? Json(*row.agrees) : Json(nullptr);
+  if (!row.note.empty()) json["note"] = row.note;
+  return json;
+}
+
+template <typename Row>
+Json reportOf(const std::vector<Row>& rows, const BenchConditions& conditions) {
+  Json list = Json::array();
+  for (const Row& row : rows) list.push_back(jsonOf(row, conditions.context));
+  return {{"gl_renderer", conditions.context.renderer},
+          {"gl_version", conditions.context.version},
+          {"cores", std::thread::hardware_concurrency()},
+          {"side", conditions.side},
+          {"measurements", list}};
+}
+
 std::string textOf(const Rate& rate) {
   return fmt::format("{:>6.2f} [{:>5.2f} {:>5.2f}]", rate.median, rate.least, rate.most);
 }
@@ -73,11 +101,22 @@ std::string textOf(const TraversalRow& row) {
   return text + fmt::format(" {:>7.2f}  {}\n", row.bvh_seconds, agreementOf(row));
 }
 
+std::string textOf(const PassesRow& row) {
+  std::string text = fmt::format("{:<9} ", row.variant);
+  if (!row.sample_seconds) return text + row.note;
+  const Spread& sample = *row.sample_seconds;
+  const std::string spread =
+      fmt::format("{:.4f} [{:.4f} {:.4f}]", sample.median, sample.least, sample.most);
+  const char* const agrees = row.variant == kPasses ? "reference" : (*row.agrees ? "yes" : "NO");
+  text += fmt::format("{:>8.2f}  {:<24} {}", *row.compile_seconds, spread, agrees);
+  return row.note.empty() ? text : text + "; " + row.note;
+}
+
 }  // namespace
 
-std::string textOf(const std::vector<TraversalRow>& rows, const ContextInfo& context) {
+std::string textOf(const std::vector<TraversalRow>& rows, const BenchConditions& conditions) {
   std::string text = fmt::format("{}, {}\nmillion rays per second: median [least most]\n",
-                                 context.renderer, context.version);
+                                 conditions.context.renderer, conditions.context.version);
   std::size_t triangles = 0;
   for (const TraversalRow& row : rows) {
     if (row.triangles != triangles) {
@@ -91,13 +130,31 @@ std::string textOf(const std::vector<TraversalRow>& rows, const ContextInfo& con
   return text;
 }
 
-Json jsonOf(const std::vector<TraversalRow>& rows, const ContextInfo& context) {
-  Json list = Json::array();
-  for (const TraversalRow& row : rows) list.push_back(jsonOf(row, context));
-  return {{"gl_renderer", context.renderer},
-          {"gl_version", context.version},
-          {"cores", std::thread::hardware_concurrency()},
-          {"measurements", list}};
+std::string textOf(const std::vector<PassesRow>& rows, const BenchConditions& conditions) {
+  std::string text = fmt::format(
+      "{}, {}\n{} x {} pixels, seconds per sample: median [least most]\n",
+      conditions.context.renderer, conditions.context.version, conditions.side, conditions.side);
+  const PassesRow* last = nullptr;
+  for (const PassesRow& row : rows) {
+    const bool other_scene =
+        last == nullptr || row.scene != last->scene || row.triangles != last->triangles;
+    if (other_scene)
+      text += fmt::format("\n{}, {}, traversal {}\n  {:<8} {:<9} {:>8}  {:<24} {}\n", row.scene,
+                          counted(row.triangles, "triangle"), row.traversal, "bounces", "variant",
+                          "compile", "sample", "agrees");
+    text += fmt::format("  {:<8} {}\n", row.variant == kPasses ? fmt::to_string(row.bounces) : "",
+                        textOf(row));
+    last = &row;
+  }
+  return text;
+}
+
+Json jsonOf(const std::vector<TraversalRow>& rows, const BenchConditions& conditions) {
+  return reportOf(rows, conditions);
+}
+
+Json jsonOf(const std::vector<PassesRow>& rows, const BenchConditions& conditions) {
+  return reportOf(rows, conditions);
 }
 
 }  // namespace glimt

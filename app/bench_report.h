@@ -4,14 +4,19 @@
 #include <string>
 #include <vector>
 
+#include "app/bench_conditions.h"
 #include "app/json_output.h"
 #include "renderer/bench.h"
 
 namespace glimt {
 
 // A table: for each way to cast the rays its rates, the median and in brackets the least and most.
-std::string textOf(const std::vector<TraversalRow>& rows, const ContextInfo& context);
+std::string textOf(const std::vector<TraversalRow>& rows, const BenchConditions& conditions);
 
-Json jsonOf(const std::vector<TraversalRow>& rows, const ContextInfo& context);
+// A table: for each way to trace the bounces the seconds that a sample takes.
+std::string textOf(const std::vector<PassesRow>& rows, const BenchConditions& conditions);
+
+Json jsonOf(const std::vector<TraversalRow>& rows, const BenchConditions& conditions);
+Json jsonOf(const std::vector<PassesRow>& rows, const BenchConditions& conditions);
 
 }  // namespace glimt

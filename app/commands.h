@@ -38,13 +38,18 @@ struct CompareOptions {
   std::string json;
 };
 
+enum class BenchSuite { traversal, passes, device };
+
 struct BenchOptions {
-  std::string suite = "traversal";
+  BenchSuite suite = BenchSuite::traversal;
   std::vector<std::size_t> triangles;  // of the meshes; empty for the suite's own
+  std::vector<int> bounces;            // of suite passes; empty for its own
+  int side = 512;                      // of the square of rays or pixels
   bool quick = false;
   int gles = 2;
   Backend backend = Backend::automatic;
   std::string json;
+  std::filesystem::path chart;  // empty for none
 };
 
 struct DoctorOptions {

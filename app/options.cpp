@@ -16,8 +16,10 @@ namespace {
 
 constexpr int kMostBounces = 64;
 constexpr double kMostExposure = 64;
+// Between the least tube that is still round and what fits into a texture.
 constexpr std::int64_t kLeastBenchTriangles = 100;
 constexpr std::int64_t kMostBenchTriangles = 2700000;
+constexpr std::int64_t kMostBenchSide = 4096;
 
 using Take = std::function<void(const std::string& text)>;
 
@@ -109,24 +111,27 @@ void addBackend(CLI::App& command, Backend& backend) {
       });
 }
 
-std::string suiteNamed(const std::string& name) {
-  if (name == "passes" || name == "effects")
+BenchSuite suiteNamed(const std::string& name) {
+  if (name == "effects")
     throw Error(ErrorKind::usage,
-                fmt::format("--suite {} is not in this version; use traversal or device", name));
-  return parseChoice("--suite", name, {"traversal", "device"});
+                "--suite effects is not in this version; use traversal, passes or device");
+  parseChoice("--suite", name, {"traversal", "passes", "device"});
+  if (name == "device") return BenchSuite::device;
+  return name == "passes" ? BenchSuite::passes : BenchSuite::traversal;
 }
 
-// Each of them is between the least tube that is still round and what fits into a texture.
-std::vector<std::size_t> meshSizes(const std::string& text) {
-  std::vector<std::size_t> sizes;
+// Whole numbers with commas between them.
+template <typename Number>
+std::vector<Number> parseList(const std::string& option, const std::string& text,
+                              std::int64_t least, std::int64_t most) {
+  std::vector<Number> numbers;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string number = text.substr(begin, end - begin);
-    sizes.push_back(static_cast<std::size_t>(
-        parseInteger("--triangles", number, kLeastBenchTriangles, kMostBenchTriangles)));
+    numbers.push_back(
+        static_cast<Number>(parseInteger(option, text.substr(begin, end - begin), least, most)));
     begin = end + 1;
   }
-  return sizes;
+  return numbers;
 }
 
 }  // namespace
@@ -169,15 +174,29 @@ void addCompareOptions(CLI::App& command, CompareOptions& options) {
 }
 
 void addBenchOptions(CLI::App& command, BenchOptions& options) {
-  add(command, "--suite", "traversal|device", "What to measure (traversal)",
+  add(command, "--suite", "traversal|passes|device", "What to measure (traversal)",
       [&](const std::string& text) { options.suite = suiteNamed(text); });
-  add(command, "--triangles", "N[,N...]", "Sizes of the meshes (1000,70000,500000,2000000)",
-      [&](const std::string& text) { options.triangles = meshSizes(text); });
+  add(command, "--triangles", "N[,N...]",
+      "Sizes of the meshes (traversal: 1000,70000,500000,2000000, passes: 70000)",
+      [&](const std::string& text) {
+        options.triangles =
+            parseList<std::size_t>("--triangles", text, kLeastBenchTriangles, kMostBenchTriangles);
+      });
+  add(command, "--bounces", "N[,N...]", "Secondary bounces, for suite passes (1,2,3,4,5,6,7,8)",
+      [&](const std::string& text) {
+        options.bounces = parseList<int>("--bounces", text, 0, kMostBounces);
+      });
+  add(command, "--side", "N", "Rays or pixels along a side of the square (512)",
+      [&](const std::string& text) {
+        options.side = static_cast<int>(parseInteger("--side", text, 1, kMostBenchSide));
+      });
   command.add_flag("--quick", options.quick,
-                   "The two smallest meshes, the smallest pictures, fewer repeats");
+                   "The two smallest meshes, or 1, 2, 4 and 8 bounces, or the smallest pictures; "
+                   "fewer repeats");
   addGles(command, options.gles);
   addBackend(command, options.backend);
   addJson(command, options.json);
+  command.add_option("--chart", options.chart, "Draw the results as SVG")->type_name("FILE");
 }
 
 void addDoctorOptions(CLI::App& command, DoctorOptions& options) {

@@ -55,6 +55,39 @@ std::vector<TraversalRow> benchTraversals(ContextHandle& context,
                                           const TraversalBenchSettings& settings,
                                           const std::function<void(const std::string&)>& progress);
 
+// --- One pass per bounce, or one shader ---------------------------------------------------------
+
+// Ways to trace the bounces of a path.
+inline constexpr const char* kPasses = "passes";      // one pass per bounce: the renderer's
+inline constexpr const char* kLoop = "loop";          // a loop in one shader
+inline constexpr const char* kUnrolled = "unrolled";  // the same, written out
+
+struct PassesBenchSettings {
+  std::vector<std::size_t> triangles{70000};         // about as many in each knot, beside the box
+  std::vector<int> bounces{1, 2, 3, 4, 5, 6, 7, 8};  // secondary bounces
+  int side = 512;                                    // pictures are side * side pixels
+  int repeats = 7;                                   // samples; after one that is not timed
+};
+
+// One way to trace the bounces, for one scene and number of bounces.
+struct PassesRow {
+  std::string scene;
+  std::size_t triangles = 0;
+  int bounces = 0;
+  std::string variant;
+  std::string traversal;
+  std::optional<double> compile_seconds;  // with what the driver leaves to the first draw
+  std::optional<Spread> sample_seconds;   // none: the driver refuses the shader, see note
+  // Whether the picture's mean is that of the passes, per channel; none where nothing was drawn.
+  std::optional<bool> agrees;
+  std::string note;
+};
+
+// The rows of a scene and number of bounces follow each other, the passes first. `progress` as
+// above. Errors: as for Renderer.
+std::vector<PassesRow> benchPasses(ContextHandle& context, const PassesBenchSettings& settings,
+                                   const std::function<void(const std::string&)>& progress);
+
 // --- What the device can do at most ----------------------------------------------------------
 
 struct DeviceBenchSettings {

@@ -35,11 +35,6 @@ bool isEnded(vec4 record) {
   return record.x == 0.0;
 }
 
-// Whether the path goes on from a triangle, or may do so.
-bool isOnSurface(vec4 record) {
-  return !isEnded(record) && splitFields(abs(record)).mantissa.x != TRIANGLE_NONE;
-}
-
 // Cells of a grid over the triangle, rounded so that the mean of their centres is exact. Centres
 // are never on an edge, where the next ray could start outside a closed mesh.
 vec2 uvCell(vec2 uv, vec2 random) {

@@ -1,7 +1,5 @@
-// The light pass: what a path that has met a triangle adds to its pixel. Emission found there, and one
-// sample of the light that arrives.
-uniform sampler2D uRecord;
-uniform float uLastSurface;  // 1 where no further ray will look for emission, else 0
+// What a path that has met a triangle adds to its pixel. Emission found there, and one sample of the
+// light that arrives. `last` is 1 where no further ray will look for emission, else 0.
 
 // Marks a pixel whose path is not known. It stays negative whatever is added.
 const vec3 RADIANCE_UNKNOWN = vec3(-1.0e30);
@@ -17,7 +15,8 @@ vec3 emittedRadiance(HitRecord record, Surface surface) {
 }
 
 #if TRIANGLE_LIGHTS || ENVIRONMENT
-vec3 reflectedRadiance(HitRecord record, Surface surface, vec4 random, bool wanted) {
+vec3 reflectedRadiance(HitRecord record, Surface surface, vec4 random, bool wanted,
+                       float last) {
   vec3 origin = leaveSurface(surface.position, surface.geometric, surface.error_scale);
   LightSample light = sampleLight(surface, origin, random);
   float cosine = dot(light.direction, surface.normal);
@@ -28,26 +27,19 @@ vec3 reflectedRadiance(HitRecord record, Surface surface, vec4 random, bool want
   float visible = visibility(origin, light.to, light.far, wanted);
   if (!wanted) return vec3(0.0);
   if (visible < 0.0) return RADIANCE_UNKNOWN;
-  float weight = uLastSurface > 0.5 ? 1.0 : powerHeuristic(light.pdf, max(cosine, 0.0) / PI);
+  float weight = last > 0.5 ? 1.0 : powerHeuristic(light.pdf, max(cosine, 0.0) / PI);
   return evalLambert(base_color) * light.radiance * (visible * weight * max(cosine, 0.0) / light.pdf);
 }
 #endif
 
-vec3 radianceOf(vec4 texel, vec4 random) {
-  HitRecord record = decodeHitRecord(texel);
-  bool wanted = isOnSurface(texel);
+vec3 radianceOf(HitRecord record, bool ended, vec4 random, float last) {
+  bool wanted = !ended && record.triangle != TRIANGLE_NONE;
   bool hit = wanted && record.triangle < TRIANGLE_UNKNOWN;
   Surface surface = surfaceOf(record);
   vec3 radiance = emittedRadiance(record, surface) * record.weight;
 #if TRIANGLE_LIGHTS || ENVIRONMENT
-  radiance += reflectedRadiance(record, surface, random, hit);
+  radiance += reflectedRadiance(record, surface, random, hit, last);
 #endif
   if (record.triangle == TRIANGLE_UNKNOWN) radiance = RADIANCE_UNKNOWN;
   return wanted ? record.throughput * radiance : vec3(0.0);
-}
-
-void main() {
-  vec2 pixel = pixelCenter();
-  vec4 texel = texture2D(uRecord, pictureAddress(pixel));
-  addRadiance(radianceOf(texel, samplePoint(pixel)), pixel);
 }

@@ -6,10 +6,14 @@ uniform sampler2D uOffsets;
 uniform vec4 uPoint;
 uniform vec4 uOffsetsShift;  // where these dimensions begin; how far repetitions are moved
 
-vec4 samplePoint(vec2 pixel) {
+vec4 shiftedPoint(vec2 pixel, vec4 point, vec4 offsets_shift) {
   vec2 repetition = floor(pixel * (1.0 / OFFSETS_SIZE));
-  vec2 at = pixel + uOffsetsShift.xy + repetition * uOffsetsShift.zw;
-  return fract(uPoint + texture2D(uOffsets, at * (1.0 / OFFSETS_SIZE)));
+  vec2 at = pixel + offsets_shift.xy + repetition * offsets_shift.zw;
+  return fract(point + texture2D(uOffsets, at * (1.0 / OFFSETS_SIZE)));
+}
+
+vec4 samplePoint(vec2 pixel) {
+  return shiftedPoint(pixel, uPoint, uOffsetsShift);
 }
 
 // More numbers from one, for rounding only: what is below its first twelve bits.

@@ -1,6 +1,4 @@
-// The trace pass: from a hit record, or from the camera, to the next hit record.
-uniform sampler2D uRecord;
-
+// From a hit record, or from the camera, to the next hit record.
 struct PathRay {
   vec3 origin;
   vec3 direction;
@@ -10,15 +8,15 @@ struct PathRay {
 };
 
 #if FROM_CAMERA
-PathRay nextRay(vec2 pixel, vec4 random) {
+PathRay cameraRay(vec2 pixel, vec4 random) {
   vec3 direction = cameraDirection(pixel - 0.5 + random.xy);
   return PathRay(uCameraPosition, direction, vec3(1.0), 0.0, true);
 }
-#else
-PathRay nextRay(vec2 pixel, vec4 random) {
-  vec4 texel = texture2D(uRecord, pictureAddress(pixel));
-  HitRecord record = decodeHitRecord(texel);
-  bool wanted = !isEnded(texel) && record.triangle < TRIANGLE_UNKNOWN;
+#endif
+
+#if FROM_RECORD
+PathRay scatteredRay(HitRecord record, bool ended, vec4 random) {
+  bool wanted = !ended && record.triangle < TRIANGLE_UNKNOWN;
   Surface surface = surfaceOf(record);
   vec3 local = sampleLambert(random.xy);
   vec3 direction = fromFrame(frameAround(surface.normal), local);
@@ -28,12 +26,10 @@ PathRay nextRay(vec2 pixel, vec4 random) {
                  direction, record.throughput * fetchBaseColor(surface.material),
                  pdfLambert(local), wanted);
 }
-#endif
 
 // Weight of emission found by this ray against sampling it as a light.
 float emissionWeight(PathRay ray, Hit hit) {
   float weight = 1.0;
-#if !FROM_CAMERA
 #if TRIANGLE_LIGHTS
   if (hit.triangle < TRIANGLE_UNKNOWN) {
     float density = fetchEmission(hit.material).density * (1.0 - uEnvironmentShare);
@@ -45,23 +41,20 @@ float emissionWeight(PathRay ray, Hit hit) {
   // The environment is sampled like the surface itself; see environment.glsl.
   if (hit.triangle == TRIANGLE_NONE) weight = powerHeuristic(1.0, uEnvironmentShare);
 #endif
-#endif
   return weight;
 }
+#endif
 
-void main() {
-  vec2 pixel = pixelCenter();
-  vec4 random = samplePoint(pixel);
-  PathRay ray = nextRay(pixel, random);
-  Hit hit = closestHit(ray.origin, ray.direction, ray.wanted);
+HitRecord recordOf(PathRay ray, Hit hit, float weight) {
+  return HitRecord(hit.triangle, facingOf(hit.volumes) > 0.0 ? 1.0 : 0.0, weightsOf(hit.volumes),
+                   ray.direction, ray.throughput, weight);
+}
 
-  HitRecord record = HitRecord(hit.triangle, facingOf(hit.volumes) > 0.0 ? 1.0 : 0.0,
-                               weightsOf(hit.volumes), ray.direction, ray.throughput,
-                               emissionWeight(ray, hit));
-  vec4 rounding = vec4(random.z, random.w, lowBits(random.z), lowBits(random.w));
+// Whether there is anything to add or to follow where the ray has come to.
+bool goesOn(PathRay ray, Hit hit) {
   bool goes_on = ray.wanted;
 #if !ENVIRONMENT
   goes_on = goes_on && hit.triangle != TRIANGLE_NONE;
 #endif
-  writeTexel(goes_on ? encodeHitRecord(record, rounding) : vec4(0.0));
+  return goes_on;
 }

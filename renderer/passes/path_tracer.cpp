@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "renderer/passes/camera_uniforms.h"
 #include "renderer/passes/data_texture.h"
 #include "renderer/scene/effects_of.h"
 
@@ -13,11 +14,6 @@ namespace {
 
 // Tiles begin at multiples of this many pixels, which is how tiled rasterisers divide a target.
 constexpr int kTileStep = 64;
-
-// The dimensions of a stage's sample point.
-std::uint32_t dimensionSet(Pass pass, int bounce) {
-  return 2 * static_cast<std::uint32_t>(bounce) + (pass == Pass::light ? 1 : 0);
-}
 
 // Whether a hit record is of a path that has met a triangle; see shaders/hit_record.glsl, whose
 // first channel holds the triangle in its mantissa.
@@ -170,7 +166,7 @@ void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
   if (live_only_)
     state.limit = stage.pass == Pass::escape ? gl::Limit::unmarked_then_mark : gl::Limit::unmarked;
   if (stage.pass == Pass::camera || stage.pass == Pass::trace) {
-    bindCamera(program);
+    bindCamera(program, camera_, film_.width(), film_.height());
     film_.record.back().bind();
     device_->draw(tile, state);
     return;
@@ -212,20 +208,11 @@ void PathTracer::countRays(const Stage& stage) {
 }
 
 void PathTracer::bindSamplePoint(gl::Program& program, const Stage& stage) const {
-  const std::uint32_t set = dimensionSet(stage.pass, stage.bounce);
+  const std::uint32_t set =
+      stage.pass == Pass::light ? lightSet(stage.bounce) : raySet(stage.bounce);
   program.set("uPoint", points_.point(static_cast<std::uint32_t>(samples_), set));
   program.set("uOffsetsShift", points_.offsetsShift(set));
   program.set("uOffsets", offsets_);
-}
-
-void PathTracer::bindCamera(gl::Program& program) const {
-  const CameraFrame frame(camera_);
-  const float half_width =
-      frame.half_height * static_cast<float>(film_.width()) / static_cast<float>(film_.height());
-  program.set("uCameraPosition", camera_.position);
-  program.set("uCameraForward", frame.forward);
-  program.set("uCameraRight", frame.right * half_width);
-  program.set("uCameraUp", frame.up * frame.half_height);
 }
 
 }  // namespace glimt

@@ -33,6 +33,8 @@ class PathTracer {
   // `progress` is told how far the tree is.
   PathTracer(const gl::Device& device, const Scene& scene, const PathTracerSettings& settings,
              const WorkProgress& progress = {});
+  PathTracer(const gl::Device& device, const Scene& scene, const PathTracerSettings& settings,
+             const SceneTree& tree);
 
   void setCamera(const Camera& camera);
   void resize(int width, int height);
@@ -60,8 +62,6 @@ class PathTracer {
     int bounce;
   };
 
-  PathTracer(const gl::Device& device, const Scene& scene, const PathTracerSettings& settings,
-             const SceneTree& tree);
   gl::Program& program(Pass pass) { return programs_.at(pass); }
   void planStages();
   bool marksEnded(int bounce) const;
@@ -72,7 +72,6 @@ class PathTracer {
   void endStage(const Stage& stage);
   void countRays(const Stage& stage);
   void bindSamplePoint(gl::Program& program, const Stage& stage) const;
-  void bindCamera(gl::Program& program) const;
 
   const gl::Device* device_;
   SamplePoints points_;

@@ -8,6 +8,15 @@
 
 namespace glimt {
 
+// The sets of dimensions of a path's rays, the camera's being ray 0, and of the light samples where
+// they end.
+constexpr std::uint32_t raySet(int ray) {
+  return 2 * static_cast<std::uint32_t>(ray);
+}
+constexpr std::uint32_t lightSet(int ray) {
+  return raySet(ray) + 1;
+}
+
 // Every pass of every bounce takes one four-dimensional point per sample: a set of dimensions. The
 // points of a set are Sobol's, shuffled and scrambled by nested uniform permutations: Burley 2020,
 // "Practical Hash-based Owen Scrambling", JCGT 10(4).

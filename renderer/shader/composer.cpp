@@ -22,8 +22,10 @@ constexpr unsigned kCamera = bit(Pass::camera);
 constexpr unsigned kTrace = bit(Pass::trace);
 constexpr unsigned kEscape = bit(Pass::escape);
 constexpr unsigned kLight = bit(Pass::light);
-constexpr unsigned kPaths = kCamera | kTrace | kLight;
-constexpr unsigned kBounces = kTrace | kLight;  // start from a hit record
+constexpr unsigned kWholePath = bit(Pass::display) << 1;  // no pass; see composePathProbe
+constexpr unsigned kPaths = kCamera | kTrace | kLight | kWholePath;
+constexpr unsigned kBounces = kTrace | kLight | kWholePath;  // start from a hit record
+constexpr unsigned kArrivals = kLight | kWholePath;          // ask for the light at a hit
 
 struct Piece {
   const char* file;
@@ -57,15 +59,19 @@ const auto kPieces = std::to_array<Piece>({
     {"traversal.glsl", kPaths, {}},
     {"node_data.glsl", kPaths, {}},
     {kTraversal, kPaths, {}},
-    {"camera.glsl", kCamera, {}},
+    {"camera.glsl", kCamera | kWholePath, {}},
     {"light_share.glsl", kBounces, {}},
-    {"light_table.glsl", kLight, Effect::triangle_lights},
-    {"environment.glsl", kLight | kEscape, Effect::environment},
-    {"light_sample.glsl", kLight, {}},
+    {"light_table.glsl", kArrivals, Effect::triangle_lights},
+    {"environment.glsl", kArrivals | kEscape, Effect::environment},
+    {"light_sample.glsl", kArrivals, {}},
     {"radiance_target.glsl", kLight | kEscape, {}},
-    {"trace.glsl", kCamera | kTrace, {}},
-    {"escape.glsl", kEscape, {}},
-    {"light.glsl", kLight, {}},
+    {"trace.glsl", kCamera | kTrace | kWholePath, {}},
+    {"trace_pass.glsl", kCamera | kTrace, {}},
+    {"escape.glsl", kEscape | kWholePath, Effect::environment},
+    {"escape_pass.glsl", kEscape, {}},
+    {"light.glsl", kArrivals, {}},
+    {"light_pass.glsl", kLight, {}},
+    {"whole_path.glsl", kWholePath, {}},
     {"accumulate.glsl", bit(Pass::accumulate), {}},
     {"display_transform.glsl", bit(Pass::display), {}},
     {"display.glsl", bit(Pass::display), {}},
@@ -84,17 +90,30 @@ std::string startFor(int gles) {
   return version + shaderText("prelude.glsl");
 }
 
-// `#if NAME` needs every name defined, to 1 or to 0.
-std::string defines(const ShaderRequest& request) {
+// What the files are told of the pass and, in `effects`, of the scene. `#if NAME` needs every name
+// defined, to 1 or to 0.
+std::string defines(unsigned pass, const EffectSet& effects, bool additive_blending,
+                    bool live_only) {
   std::string text = fmt::format(
-      "#define FROM_CAMERA {:d}\n#define ADDITIVE_BLENDING {:d}\n"
+      "#define FROM_CAMERA {:d}\n#define FROM_RECORD {:d}\n#define ADDITIVE_BLENDING {:d}\n"
       "#define LIVE_ONLY {:d}\n",
-      request.pass == Pass::camera, request.additive_blending, request.live_only);
+      (pass & (kCamera | kWholePath)) != 0, (pass & (kTrace | kWholePath)) != 0, additive_blending,
+      live_only);
   for (int i = 0; i < kEffectCount; ++i) {
     std::string name = nameOf(static_cast<Effect>(i));
     std::transform(name.begin(), name.end(), name.begin(),
                    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    text += fmt::format("#define {} {:d}\n", name, request.effects[static_cast<std::size_t>(i)]);
+    text += fmt::format("#define {} {:d}\n", name, effects[static_cast<std::size_t>(i)]);
+  }
+  return text;
+}
+
+std::string pieces(unsigned pass, const EffectSet& effects, const std::string& traversal) {
+  std::string text;
+  for (const Piece& piece : kPieces) {
+    if (!(piece.passes & pass)) continue;
+    if (piece.effect && !has(effects, *piece.effect)) continue;
+    text += piece.file == kTraversal ? traversalText(traversal) : shaderText(piece.file);
   }
   return text;
 }
@@ -119,13 +138,10 @@ std::string composeVertexShader(int gles) {
 }
 
 std::string composeFragmentShader(const ShaderRequest& request) {
-  std::string text = startFor(request.gles) + defines(request);
-  for (const Piece& piece : kPieces) {
-    if (!(piece.passes & bit(request.pass))) continue;
-    if (piece.effect && !has(request.effects, *piece.effect)) continue;
-    text += piece.file == kTraversal ? traversalText(request.traversal) : shaderText(piece.file);
-  }
-  return text;
+  const unsigned pass = bit(request.pass);
+  return startFor(request.gles) +
+         defines(pass, request.effects, request.additive_blending, request.live_only) +
+         pieces(pass, request.effects, request.traversal);
 }
 
 std::string composeProbe(const std::vector<std::string>& files, const std::string& text) {
@@ -153,6 +169,12 @@ std::string composeTraversalProbe(const std::string& traversal, const std::strin
   }
   for (const std::string& file : traversalNamed(traversal).files) add(file);
   return shader + text;
+}
+
+std::string composePathProbe(const EffectSet& effects, const std::string& traversal,
+                             const std::string& text) {
+  return startFor(traversalNamed(traversal).gles) + defines(kWholePath, effects, false, false) +
+         pieces(kWholePath, effects, traversal) + text;
 }
 
 }  // namespace glimt

@@ -24,7 +24,7 @@ struct ShaderRequest {
   EffectSet effects;
   std::string traversal = "octant";  // see traversals.h
   bool additive_blending = true;     // radiance is added by blending, not by reading
-  bool live_only = false;            // draws are limited to live paths; see escape.glsl
+  bool live_only = false;            // draws are limited to live paths; see escape_pass.glsl
   int gles = 2;                      // the OpenGL ES version whose language it is written in
 };
 
@@ -52,6 +52,11 @@ struct Insertion {
 // Errors: usage, for a traversal that does not exist.
 std::string composeTraversalProbe(const std::string& traversal, const std::string& text,
                                   const std::vector<Insertion>& insertions = {});
+
+// The same with all that the effects call for from the camera to the radiance: the text calls the
+// functions of whole_path.glsl. Errors: usage, for a traversal that does not exist.
+std::string composePathProbe(const EffectSet& effects, const std::string& traversal,
+                             const std::string& text);
 
 // The text of a file in shaders/. Errors: failed, if there is none of that name.
 std::string shaderText(const std::string& file);
