@@ -1,3 +1,4 @@
+#include <csignal>
 #include <exception>
 #include <new>
 #include <string>
@@ -7,6 +8,8 @@
 #include "renderer/core/error.h"
 
 int main(int argc, char** argv) {
+  // A file that grows beyond the limit of its size is an error that can be told, not the end.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return glimt::runCommandLine({argv + 1, argv + argc});
   } catch (const glimt::Error& error) {

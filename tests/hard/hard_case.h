@@ -18,9 +18,9 @@ ContextHandle hardContext();
 // Whether pictures have to be small and samples few: "softpipe" and "zink" take their time.
 bool slowDriver();
 
-// Checks that `measured` is at most `bound`, and appends a line "group, case, bound, measured,
-// driver" with tabs between to the file that GLIMT_HARD_REPORT names, if it names one. `what` says
-// in a few words what is measured, with its unit: "mean difference, relative".
+// Checks that `measured` is at most `bound`, and appends a line "group, case, what, bound,
+// measured, driver" with tabs between to the file that GLIMT_HARD_REPORT names, if it names one.
+// `what` says in a few words what is measured, with its unit: "mean difference, relative".
 void checkAtMost(const std::string& group, const std::string& name, const std::string& what,
                  double measured, double bound);
 
