@@ -49,12 +49,6 @@ gl::Device deviceFor(gl::Context& context, const std::string& traversal, std::si
   return device;
 }
 
-ShaderRequest displayRequest() {
-  ShaderRequest request;
-  request.pass = Pass::display;
-  return request;
-}
-
 std::array<double, kPassCount> filled(double value) {
   std::array<double, kPassCount> values;
   values.fill(value);
@@ -88,7 +82,7 @@ class Renderer::State {
   void drawDisplay(int width, int height, float exposure) {
     if (!display_)
       display_.emplace(device.gl(), nameOf(Pass::display), composeVertexShader(),
-                       composeFragmentShader(displayRequest()));
+                       composeFragmentShader(Pass::display));
     display_->use();
     display_->set("uZero", Vec4(0));
     display_->set("uMean", tracer.film().mean.front().texture());

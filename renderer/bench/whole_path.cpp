@@ -27,12 +27,6 @@ constexpr const char* kLoopBody = R"(
   }
 )";
 
-ShaderRequest accumulateRequest() {
-  ShaderRequest request;
-  request.pass = Pass::accumulate;
-  return request;
-}
-
 std::string unrolledBody(int surfaces) {
   std::string text;
   for (int i = 0; i < surfaces; ++i) {
@@ -74,7 +68,7 @@ WholePathTracer::WholePathTracer(const gl::Device& device, const Scene& scene,
              composeVertexShader(traversalNamed(settings.traversal).gles),
              composePathProbe(effectsOf(scene), settings.traversal, pathText(surfaces_, form))),
       accumulate_(device.gl(), nameOf(Pass::accumulate), composeVertexShader(),
-                  composeFragmentShader(accumulateRequest())) {}
+                  composeFragmentShader(Pass::accumulate)) {}
 
 void WholePathTracer::resize(int width, int height) {
   radiance_ = gl::Target(gl::Texture::floats(device_->gl(), device_->floatForm(), width, height));

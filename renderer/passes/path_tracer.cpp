@@ -139,12 +139,12 @@ gl::Tile PathTracer::nextTile(double pixels) const {
 }
 
 void PathTracer::beginStage(const Stage& stage) {
-  const bool traces = stage.pass == Pass::camera || stage.pass == Pass::trace;
   if (stage.pass == Pass::camera) {
     film_.radiance.clear();
     if (live_only_) film_.radiance.front().clearStencil();
   }
-  if (traces && live_only_) film_.record.back().clear();  // what is not drawn has ended
+  // Pixels that are left out keep the record of an earlier bounce, which only counting would read.
+  if (stage.pass == Pass::trace && live_only_ && !rays_counted_) film_.record.back().clear();
 }
 
 void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {

@@ -144,6 +144,12 @@ std::string composeFragmentShader(const ShaderRequest& request) {
          pieces(pass, request.effects, request.traversal);
 }
 
+std::string composeFragmentShader(Pass pass) {
+  ShaderRequest request;
+  request.pass = pass;
+  return composeFragmentShader(request);
+}
+
 std::string composeProbe(const std::vector<std::string>& files, const std::string& text) {
   std::string shader = startFor(2);
   for (const std::string& file : files) shader += shaderText(file);

@@ -37,6 +37,9 @@ std::string composeVertexShader(int gles = 2);
 // Errors: usage, for a traversal that does not exist.
 std::string composeFragmentShader(const ShaderRequest& request);
 
+// The same for a pass that depends on nothing but itself: accumulate, display.
+std::string composeFragmentShader(Pass pass);
+
 // A fragment shader from the prelude, the named files and some text of the caller's own: for probes
 // of the device and of single functions. Errors: failed, for a file that does not exist.
 std::string composeProbe(const std::vector<std::string>& files, const std::string& text);

@@ -4,35 +4,24 @@
 
 #include "renderer/passes/path_tracer.h"
 #include "tests/gpu/contexts.h"
+#include "tests/image/scenes.h"
 
 using namespace glimt;
-using glimt::test::TestContext;
+using namespace glimt::test;
 
 namespace {
 
 constexpr int kWidth = 48;
 constexpr int kHeight = 32;
 
-void addTriangle(Scene& scene, Vec3 a, Vec3 b, Vec3 c, std::uint32_t material) {
-  const auto first = static_cast<std::uint32_t>(scene.positions.size());
-  scene.positions.insert(scene.positions.end(), {a, b, c});
-  Triangle triangle;
-  triangle.positions = {first, first + 1, first + 2};
-  triangle.material = material;
-  scene.triangles.push_back(triangle);
-}
-
 // A floor that leaves a part of the picture free, a slanted sheet above it, and a lamp.
 Scene openScene(Vec3 environment) {
   Scene scene;
-  Material white;
-  white.base_color = Vec3(0.8f);
-  Material lamp;
-  lamp.emission = Vec3(20.0f);
-  scene.materials = {white, lamp};
-  addTriangle(scene, {-3, 0, -3}, {3, 0, -3}, {0, 0, 3}, 0);
-  addTriangle(scene, {-1, 0, -1}, {1, 0.2f, -1}, {0, 2, 0}, 0);
-  addTriangle(scene, {-0.5f, 3, 0}, {0.5f, 3, 0}, {0, 3, 0.5f}, 1);
+  const std::uint32_t white = add(scene, lambert("white", Vec3(0.8f)));
+  const std::uint32_t lamp = add(scene, lambert("lamp", Vec3(0.8f), Vec3(20)));
+  addQuad(scene, {-3, 0, -3}, {6, 0, 0}, {0, 0, 6}, white);
+  addQuad(scene, {-1, 0, -1}, {2, 0.2f, 0}, {0, 2, 1}, white);
+  addQuad(scene, {-0.5f, 3, 0}, {1, 0, 0}, {0, 0, 0.5f}, lamp);
   scene.environment.color = environment;
   scene.camera.position = {0, 1.5f, 8};
   scene.camera.target = {0, 1, 0};
@@ -57,7 +46,7 @@ double sumOf(const std::vector<Vec4>& texels) {
 }  // namespace
 
 TEST_CASE("passes for live paths only give the same picture, bit for bit") {
-  test::onEveryContext([](const TestContext& context) {
+  onEveryContext([](const TestContext& context) {
     CAPTURE(context.name());
     CHECK(canDrawLiveOnly(context.device()));  // or there is nothing to compare
     for (const float sky : {0.0f, 0.7f}) {
