@@ -19,6 +19,14 @@ Json secondsOf(const RenderReport& report) {
           {"total", rounded(report.total)}};
 }
 
+// What a sample took with each traversal that was tried; null where none was.
+Json traversalSecondsOf(const RenderReport& report) {
+  Json seconds;
+  for (const TraversalTime& time : report.statistics.traversal_times)
+    seconds[time.traversal] = std::round(time.seconds_per_sample * 1e6) / 1e6;
+  return seconds;
+}
+
 // Rays are counted in one sample; the others cast about as many.
 Json raysOf(const RenderReport& report) {
   const auto all = [&](double rays) {
@@ -27,6 +35,23 @@ Json raysOf(const RenderReport& report) {
   return {{"camera", all(report.statistics.camera_rays)},
           {"bounce", all(report.statistics.bounce_rays)},
           {"shadow", all(report.statistics.shadow_rays)}};
+}
+
+// The traversal in use and, where it was chosen by a measurement, how much faster it is than the
+// next one.
+std::string traversalOf(const RenderReport& report) {
+  const std::string& chosen = report.statistics.traversal;
+  const auto& times = report.statistics.traversal_times;
+  double own = 0;
+  double other = 0;
+  for (const TraversalTime& time : times) {
+    if (time.traversal == chosen)
+      own = time.seconds_per_sample;
+    else if (other == 0 || time.seconds_per_sample < other)
+      other = time.seconds_per_sample;
+  }
+  if (times.empty()) return chosen;
+  return fmt::format("{} ({:.2f} times as fast as the next)", chosen, other / own);
 }
 
 }  // namespace
@@ -42,6 +67,7 @@ Json jsonOf(const RenderReport& report) {
           {"gl_version", report.context.version},
           {"gles", report.context.gles},
           {"traversal", report.statistics.traversal},
+          {"traversal_seconds", traversalSecondsOf(report)},
           {"record", "packed"},
           {"triangles", report.statistics.triangles},
           {"effects", report.effects},
@@ -79,10 +105,10 @@ std::string summaryOf(const RenderReport& report) {
   // "llvmpipe (LLVM 15.0.6, 256 bits)" says more than the line has room for.
   const std::string& gl = report.context.renderer;
   const std::string device = gl.substr(0, gl.find(" ("));
-  return fmt::format("{}: {} in {:.1f} s ({:.3g} samples/s), {}, {}", files,
+  return fmt::format("{}: {} in {:.1f} s ({:.3g} samples/s), {}, {}, {}", files,
                      counted(report.samples, "sample"), report.render,
                      report.samples / report.render,
-                     counted(report.statistics.triangles, "triangle"), device);
+                     counted(report.statistics.triangles, "triangle"), traversalOf(report), device);
 }
 
 }  // namespace glimt

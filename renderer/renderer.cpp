@@ -10,6 +10,7 @@
 #include "renderer/core/wording.h"
 #include "renderer/gl/context.h"
 #include "renderer/passes/path_tracer.h"
+#include "renderer/passes/traversal_trial.h"
 #include "renderer/probes/loop_turns.h"
 #include "shaders/layout.h"
 
@@ -63,7 +64,8 @@ class Renderer::State {
         const WorkProgress& progress)
       : device(deviceFor(context, settings.traversal, scene.triangles.size())),
         triangles(scene.triangles.size()),
-        tracer(device, scene, {settings.bounces, settings.seed, settings.traversal}, progress) {
+        tracer(device, scene, {settings.bounces, settings.seed, settings.traversal}, progress),
+        trial(tracer.candidates()) {
     tracer.resize(settings.width, settings.height);
   }
 
@@ -74,9 +76,18 @@ class Renderer::State {
     const double pixels = tracer.drawTile(kDrawSeconds / cost);
     device.gl().Finish();
     const double seconds = now() - start;
+    sample_seconds_ += seconds;
     // Half of the last: later bounces of the same pass have fewer paths, and the next sample begins
     // with all of them.
     cost = std::max({seconds / pixels, 0.5 * cost, kLeastSecondsPerPixel});
+    if (tracer.atSampleStart()) endSample();
+  }
+
+  // Another picture begins.
+  void restart() {
+    trial.restart();
+    tracer.use(trial.traversal());
+    sample_seconds_ = 0;
   }
 
   void drawDisplay(int width, int height, float exposure) {
@@ -94,11 +105,19 @@ class Renderer::State {
   gl::Device device;
   std::size_t triangles;
   PathTracer tracer;
+  TraversalTrial trial;
 
  private:
+  void endSample() {
+    trial.add(sample_seconds_);
+    tracer.use(trial.traversal());
+    sample_seconds_ = 0;
+  }
+
   std::optional<gl::Program> display_;
   // For each pass; at first a guess that is slow enough.
   std::array<double, kPassCount> seconds_per_pixel_ = filled(kDrawSeconds / 16384);
+  double sample_seconds_ = 0;  // spent on the sample that is being drawn
 };
 
 Renderer::Renderer(ContextHandle& context, const Scene& scene, const RenderSettings& settings,
@@ -110,10 +129,12 @@ Renderer::~Renderer() = default;
 
 void Renderer::setCamera(const Camera& camera) {
   state_->tracer.setCamera(camera);
+  state_->restart();
 }
 
 void Renderer::resize(int width, int height) {
   state_->tracer.resize(width, height);
+  state_->restart();
 }
 
 void Renderer::renderSample() {
@@ -194,6 +215,7 @@ RenderStatistics Renderer::statistics() const {
   const PathTracer& tracer = state_->tracer;
   RenderStatistics statistics;
   statistics.traversal = tracer.traversal();
+  statistics.traversal_times = state_->trial.times();
   statistics.triangles = state_->triangles;
   statistics.nodes = tracer.scene().nodeCount();
   statistics.texture_bytes = tracer.scene().bytes();

@@ -12,6 +12,7 @@
 
 #include "renderer/core/context_info.h"
 #include "renderer/core/image.h"
+#include "renderer/core/traversal_time.h"
 #include "renderer/core/work_progress.h"
 #include "renderer/scene/scene.h"
 
@@ -53,13 +54,16 @@ ContextHandle adoptCurrentContext(const ProcLoader& load);
 struct RenderSettings {
   int width = 512;
   int height = 512;
-  int bounces = 4;         // secondary bounces: a path has at most bounces + 1 scattering surfaces
-  std::uint32_t seed = 0;  // same seed, same context: the same picture, bit for bit
-  std::string traversal = "auto";
+  int bounces = 4;  // secondary bounces: a path has at most bounces + 1 scattering surfaces
+  // Same seed, context and traversal: the same picture, bit for bit. On llvmpipe all traversals
+  // give the same one, too.
+  std::uint32_t seed = 0;
+  std::string traversal = "auto";  // the likeliest to be fast; after two seconds, the fastest
 };
 
 struct RenderStatistics {
-  std::string traversal;  // the variant in use
+  std::string traversal;                       // the variant in use
+  std::vector<TraversalTime> traversal_times;  // what "auto" measured before it took that one
   std::size_t triangles = 0;
   std::size_t nodes = 0;          // of the BVH
   std::size_t texture_bytes = 0;  // geometry, tree and materials on the GPU

@@ -34,8 +34,9 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
                        const PathTracerSettings& settings, const SceneTree& tree)
     : device_(&device),
       points_(settings.seed),
-      traversal_(chooseTraversal(settings.traversal, tree.bvh, device.info(),
-                                 mostTexels(device.maxTextureSize()))),
+      candidates_(candidateTraversals(settings.traversal, tree.bvh, device.info(),
+                                      mostTexels(device.maxTextureSize()))),
+      traversal_(candidates_.front()),
       scene_(device, scene, tree, traversalNamed(traversal_).layout),
       offsets_(points_.makeOffsets(device)),
       effects_(effectsOf(scene)),
@@ -65,12 +66,17 @@ bool PathTracer::marksEnded(int bounce) const {
   return bounce == 0 || (rays_counted_ && alive_[static_cast<std::size_t>(bounce)] < 0.5);
 }
 
+PathTracer::ProgramKey PathTracer::keyOf(Pass pass) const {
+  const bool traces = pass == Pass::camera || pass == Pass::trace || pass == Pass::light;
+  return {traces ? traversal_ : "", pass};
+}
+
 void PathTracer::compile() {
   const auto start = std::chrono::steady_clock::now();
   const int gles = traversalNamed(traversal_).gles;
   const std::string vertex = composeVertexShader(gles);
   for (const Stage& stage : stages_) {
-    if (programs_.contains(stage.pass)) continue;
+    if (programs_.contains(keyOf(stage.pass))) continue;
     ShaderRequest request;
     request.pass = stage.pass;
     request.effects = effects_;
@@ -78,11 +84,17 @@ void PathTracer::compile() {
     request.additive_blending = device_->floatBlending();
     request.live_only = live_only_;
     request.gles = gles;
-    programs_.emplace(stage.pass, gl::Program(device_->gl(), nameOf(stage.pass), vertex,
-                                              composeFragmentShader(request)));
+    programs_.emplace(keyOf(stage.pass), gl::Program(device_->gl(), nameOf(stage.pass), vertex,
+                                                     composeFragmentShader(request)));
   }
-  compile_seconds_ =
+  compile_seconds_ +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void PathTracer::use(const std::string& traversal) {
+  if (traversal == traversal_) return;
+  traversal_ = traversal;
+  compile();
 }
 
 void PathTracer::setCamera(const Camera& camera) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "renderer/gl/device.h"
@@ -42,8 +44,17 @@ class PathTracer {
   // Forgets all samples.
   void restart();
 
+  // What may draw a sample: the traversal asked for or, for "auto", several.
+  const std::vector<std::string>& candidates() const { return candidates_; }
+
+  // Draws with another of the candidates, from the sample on that begins. The picture is the same.
+  void use(const std::string& traversal);
+
   // The pass that the next draw belongs to.
   Pass nextPass() const { return stages_[stage_].pass; }
+
+  // Whether the next draw begins a sample.
+  bool atSampleStart() const { return stage_ == 0 && row_ == 0 && column_ == 0; }
 
   // One draw, of at most about `pixels` pixels. Returns how many they were.
   double drawTile(double pixels);
@@ -62,7 +73,10 @@ class PathTracer {
     int bounce;
   };
 
-  gl::Program& program(Pass pass) { return programs_.at(pass); }
+  // Programs are kept by the traversal in them, those without one under no name.
+  using ProgramKey = std::pair<std::string, Pass>;
+  ProgramKey keyOf(Pass pass) const;
+  gl::Program& program(Pass pass) { return programs_.at(keyOf(pass)); }
   void planStages();
   bool marksEnded(int bounce) const;
   void compile();
@@ -75,13 +89,14 @@ class PathTracer {
 
   const gl::Device* device_;
   SamplePoints points_;
+  std::vector<std::string> candidates_;
   std::string traversal_;
   SceneTextures scene_;
   gl::Texture offsets_;
   EffectSet effects_;
   int bounces_;
   bool live_only_;
-  std::map<Pass, gl::Program> programs_;
+  std::map<ProgramKey, gl::Program> programs_;
   std::vector<Stage> stages_;
   Film film_;
   Camera camera_;

@@ -65,17 +65,18 @@ void checkRuns(const Traversal& traversal, const ContextInfo& context) {
                             traversal.name, traversal.gles, traversal.gles));
 }
 
-std::string chooseTraversal(const std::string& asked, const Bvh& bvh, const ContextInfo& context,
-                            std::size_t most_texels) {
+std::vector<std::string> candidateTraversals(const std::string& asked, const Bvh& bvh,
+                                             const ContextInfo& context, std::size_t most_texels) {
   if (asked != "auto") {
     checkRuns(traversalNamed(asked), context);
     checkFits(traversalNamed(asked), stackSizeOf(bvh));
-    return asked;
+    return {asked};
   }
   const std::size_t octant_texels = kOctants * (bvh.nodes.size() + 1);
   if (bvh.order.size() <= kMostTrianglesForOctants && octant_texels <= most_texels)
-    return context.software ? "octant-ahead" : "octant";
-  return stackSizeOf(bvh) <= STACK_SIZE ? "stack" : "skip";
+    return context.software ? std::vector<std::string>{"octant-ahead", "octant"}
+                            : std::vector<std::string>{"octant", "octant-ahead"};
+  return {stackSizeOf(bvh) <= STACK_SIZE ? "stack" : "skip"};
 }
 
 }  // namespace glimt

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "renderer/bvh/bvh.h"
 #include "renderer/core/context_info.h"
@@ -29,13 +30,13 @@ void checkFits(const Traversal& traversal, std::size_t stack_size);
 // Errors: usage, where the traversal needs a later OpenGL ES than the context's.
 void checkRuns(const Traversal& traversal, const ContextInfo& context);
 
-// `asked` itself, or for "auto" the fastest of those that the tree fits, as measured in
-// docs/performance.md; they run on any context. While eight copies of the tree are small and fit
-// into a texture of `most_texels` these are the octants, with two nodes a step where the device is
-// a CPU, else with one. Above, it is the stack while it is deep enough, else skip. Errors: usage,
-// for a traversal that does not exist or does not run on the context; input, for one that does not
-// hold the tree.
-std::string chooseTraversal(const std::string& asked, const Bvh& bvh, const ContextInfo& context,
-                            std::size_t most_texels);
+// `asked` itself, or for "auto" those that may be the fastest, the likeliest first, as measured in
+// docs/performance.md. They share one layout of the tree, hold it, and run on any context. While
+// eight copies of the tree are small and fit into a texture of `most_texels` these are the octants,
+// with two nodes a step first where the device is a CPU, else with one. Above, it is the stack
+// while it is deep enough, else skip. Errors: usage, for a traversal that does not exist or does
+// not run on the context; input, for one that does not hold the tree.
+std::vector<std::string> candidateTraversals(const std::string& asked, const Bvh& bvh,
+                                             const ContextInfo& context, std::size_t most_texels);
 
 }  // namespace glimt

@@ -40,7 +40,7 @@ constexpr int kUsualTexture = 16384;  // pixels a side
 
 std::string choose(const std::string& asked, const Bvh& bvh, const ContextInfo& context,
                    int max_texture_size = kUsualTexture) {
-  return chooseTraversal(asked, bvh, context, mostTexels(max_texture_size));
+  return candidateTraversals(asked, bvh, context, mostTexels(max_texture_size)).front();
 }
 
 }  // namespace
@@ -58,6 +58,16 @@ TEST_CASE("auto looks one node ahead on a CPU only") {
 TEST_CASE("auto takes the stack for large trees only while it is deep enough") {
   CHECK(choose("auto", chain(STACK_SIZE - 1, 600000), kCpu) == "stack");
   CHECK(choose("auto", chain(STACK_SIZE, 600000), kCpu) == "skip");
+}
+
+TEST_CASE("what auto tries besides has the same layout of the tree") {
+  for (const bool software : {true, false})
+    for (const std::size_t primitives : {1000u, 600000u}) {
+      const auto candidates = candidateTraversals(
+          "auto", chain(3, primitives), contextOf(2, software), mostTexels(kUsualTexture));
+      for (const std::string& candidate : candidates)
+        CHECK(traversalNamed(candidate).layout == traversalNamed(candidates.front()).layout);
+    }
 }
 
 TEST_CASE("auto leaves the octants where eight copies do not fit into a texture") {
