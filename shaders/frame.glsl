@@ -16,6 +16,10 @@ Frame frameAround(vec3 normal) {
                normal);
 }
 
+vec3 toFrame(Frame frame, vec3 v) {
+  return vec3(dot(v, frame.tangent), dot(v, frame.bitangent), dot(v, frame.normal));
+}
+
 vec3 fromFrame(Frame frame, vec3 local) {
   return local.x * frame.tangent + local.y * frame.bitangent + local.z * frame.normal;
 }

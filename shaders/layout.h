@@ -44,10 +44,14 @@
 #define NORMAL_TEXELS 2.0
 
 // Materials.
-//   0: base colour r, g, b; free
+//   0: base colour r, g, b; metallic
 //   1: emission r, g, b; density of light samples on the surface, per square metre, negative where
 //   both sides emit
-#define MATERIAL_TEXELS 2.0
+//   2: roughness, specular, ior, transmission
+#define MATERIAL_TEXELS 3.0
+
+// Side of the square table of gloss_albedo.glsl.
+#define GLOSS_TABLE_SIZE 32.0
 
 // Lights, an alias table; see light_table.glsl. One texel each:
 //   share of the entry that goes to its own triangle, index of that, index of the other one, free

@@ -1,5 +1,6 @@
 // What a path that has met a triangle adds to its pixel. Emission found there, and one sample of the
-// light that arrives. `last` is 1 where no further ray will look for emission, else 0.
+// light that arrives. `last` is 1 where no further ray will look for emission, 2 where moreover no
+// light is sampled, else 0.
 
 // Marks a pixel whose path is not known. It stays negative whatever is added.
 const vec3 RADIANCE_UNKNOWN = vec3(-1.0e30);
@@ -18,17 +19,28 @@ vec3 emittedRadiance(HitRecord record, Surface surface) {
 vec3 reflectedRadiance(HitRecord record, Surface surface, vec4 random, bool wanted,
                        float last) {
   vec3 origin = leaveSurface(surface.position, surface.geometric, surface.error_scale);
-  LightSample light = sampleLight(surface, origin, random);
-  float cosine = dot(light.direction, surface.normal);
-  float above = min(cosine, dot(light.direction, surface.geometric));
-  vec3 base_color = fetchBaseColor(surface.material);
-  wanted = wanted && light.possible && above > 0.0;
-  wanted = wanted && max(base_color.r, max(base_color.g, base_color.b)) > 0.0;
+  Frame frame = frameAround(surface.normal);
+  LightSample light = sampleLight(frame, origin, random);
+  vec3 wo = outgoing(frame, record.direction);
+  vec3 wi = toFrame(frame, light.direction);
+  Bsdf bsdf = fetchBsdf(surface, wo);
+  float side = dot(light.direction, surface.geometric);
+#if ROUGH_GLASS
+  wanted = wanted && side * wi.z > 0.0;
+  if (side < 0.0) {
+    vec3 below = leaveSurface(surface.position, -surface.geometric, surface.error_scale);
+    light.to += origin - below;
+    origin = below;
+  }
+#else
+  wanted = wanted && min(side, wi.z) > 0.0;
+#endif
+  wanted = wanted && light.possible && spreads(bsdf);
   float visible = visibility(origin, light.to, light.far, wanted);
   if (!wanted) return vec3(0.0);
   if (visible < 0.0) return RADIANCE_UNKNOWN;
-  float weight = last > 0.5 ? 1.0 : powerHeuristic(light.pdf, max(cosine, 0.0) / PI);
-  return evalLambert(base_color) * light.radiance * (visible * weight * max(cosine, 0.0) / light.pdf);
+  float weight = last > 0.5 ? 1.0 : powerHeuristic(light.pdf, pdfBsdf(bsdf, wo, wi));
+  return evalBsdf(bsdf, wo, wi) * light.radiance * (visible * weight / light.pdf);
 }
 #endif
 
@@ -38,7 +50,7 @@ vec3 radianceOf(HitRecord record, bool ended, vec4 random, float last) {
   Surface surface = surfaceOf(record);
   vec3 radiance = emittedRadiance(record, surface) * record.weight;
 #if TRIANGLE_LIGHTS || ENVIRONMENT
-  radiance += reflectedRadiance(record, surface, random, hit, last);
+  radiance += reflectedRadiance(record, surface, random, hit && last < 1.5, last);
 #endif
   if (record.triangle == TRIANGLE_UNKNOWN) radiance = RADIANCE_UNKNOWN;
   return wanted ? record.throughput * radiance : vec3(0.0);

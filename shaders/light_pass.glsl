@@ -1,6 +1,6 @@
 // The light pass: hit record to radiance.
 uniform sampler2D uRecord;
-uniform float uLastSurface;  // 1 or 0
+uniform float uLastSurface;  // see light.glsl
 
 void main() {
   vec2 pixel = pixelCenter();

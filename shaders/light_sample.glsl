@@ -27,29 +27,30 @@ LightSample sampleTriangleLight(vec3 origin, float choice, vec2 random) {
 #endif
 
 #if ENVIRONMENT
-LightSample sampleEnvironment(Surface surface, vec2 random) {
-  vec3 local = sampleCosineHemisphere(random);
-  vec3 direction = fromFrame(frameAround(surface.normal), local);
-  return LightSample(direction, FAR_AWAY, direction, environmentRadiance(direction),
-                     environmentPdf(local), local.z > 0.0);
+LightSample sampleEnvironment(Frame frame, vec4 random) {
+  vec3 direction = sampleEnvironmentDirection(frame, random);
+  float pdf = environmentPdf(direction, dot(direction, frame.normal));
+  return LightSample(direction, FAR_AWAY, direction, environmentRadiance(direction), pdf, pdf > 0.0);
 }
 #endif
 
 #if TRIANGLE_LIGHTS && ENVIRONMENT
-LightSample sampleLight(Surface surface, vec3 origin, vec4 random) {
+LightSample sampleLight(Frame frame, vec3 origin, vec4 random) {
   LightSample triangle = sampleTriangleLight(origin, random.z, random.xy);
-  LightSample sky = sampleEnvironment(surface, random.xy);
+  bool to_sky = random.w < uEnvironmentShare;
+  float left = to_sky ? random.w / uEnvironmentShare : 0.0;
+  LightSample sky = sampleEnvironment(frame, vec4(random.xyz, left));
   triangle.pdf *= 1.0 - uEnvironmentShare;
   sky.pdf *= uEnvironmentShare;
-  if (random.w < uEnvironmentShare) return sky;
+  if (to_sky) return sky;
   return triangle;
 }
 #elif TRIANGLE_LIGHTS
-LightSample sampleLight(Surface surface, vec3 origin, vec4 random) {
+LightSample sampleLight(Frame frame, vec3 origin, vec4 random) {
   return sampleTriangleLight(origin, random.z, random.xy);
 }
 #elif ENVIRONMENT
-LightSample sampleLight(Surface surface, vec3 origin, vec4 random) {
-  return sampleEnvironment(surface, random.xy);
+LightSample sampleLight(Frame frame, vec3 origin, vec4 random) {
+  return sampleEnvironment(frame, random);
 }
 #endif

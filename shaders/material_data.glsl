@@ -2,8 +2,8 @@
 uniform sampler2D uMaterials;
 uniform vec2 uMaterialsStep;
 
-vec3 fetchBaseColor(float material) {
-  return texture2D(uMaterials, texelAddress(material * MATERIAL_TEXELS, uMaterialsStep)).rgb;
+vec4 fetchMaterial(float material, float texel) {
+  return texture2D(uMaterials, texelAddress(material * MATERIAL_TEXELS + texel, uMaterialsStep));
 }
 
 struct Emission {
@@ -13,6 +13,6 @@ struct Emission {
 };
 
 Emission fetchEmission(float material) {
-  vec4 texel = texture2D(uMaterials, texelAddress(material * MATERIAL_TEXELS + 1.0, uMaterialsStep));
+  vec4 texel = fetchMaterial(material, 1.0);
   return Emission(texel.rgb, abs(texel.a), texel.a < 0.0);
 }

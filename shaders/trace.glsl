@@ -3,14 +3,16 @@ struct PathRay {
   vec3 origin;
   vec3 direction;
   vec3 throughput;
-  float pdf;    // of the direction, per solid angle
-  bool wanted;  // false for a path that has ended
+  float pdf;     // of the direction, per solid angle
+  float cosine;  // of the direction, against the shading normal where it starts
+  float random;  // uniform in [0, 1), not used up by choosing the direction
+  bool wanted;   // false for a path that has ended
 };
 
 #if FROM_CAMERA
 PathRay cameraRay(vec2 pixel, vec4 random) {
   vec3 direction = cameraDirection(pixel - 0.5 + random.xy);
-  return PathRay(uCameraPosition, direction, vec3(1.0), 0.0, true);
+  return PathRay(uCameraPosition, direction, vec3(1.0), 0.0, 1.0, random.z, true);
 }
 #endif
 
@@ -18,13 +20,16 @@ PathRay cameraRay(vec2 pixel, vec4 random) {
 PathRay scatteredRay(HitRecord record, bool ended, vec4 random) {
   bool wanted = !ended && record.triangle < TRIANGLE_UNKNOWN;
   Surface surface = surfaceOf(record);
-  vec3 local = sampleLambert(random.xy);
-  vec3 direction = fromFrame(frameAround(surface.normal), local);
-  // A direction that the shading normal allows may lead into the surface: no light comes from there.
-  wanted = wanted && dot(direction, surface.geometric) > 0.0;
-  return PathRay(leaveSurface(surface.position, surface.geometric, surface.error_scale),
-                 direction, record.throughput * fetchBaseColor(surface.material),
-                 pdfLambert(local), wanted);
+  Frame frame = frameAround(surface.normal);
+  vec3 wo = outgoing(frame, record.direction);
+  BsdfSample bounce = sampleBsdf(fetchBsdf(surface, wo), wo, random.xyz);
+  vec3 direction = fromFrame(frame, bounce.wi);
+  // A direction that is on one side for the shading normal may be on the other of the surface: no
+  // light comes from there.
+  vec3 side = bounce.wi.z < 0.0 ? -surface.geometric : surface.geometric;
+  wanted = wanted && dot(direction, side) > 0.0;
+  return PathRay(leaveSurface(surface.position, side, surface.error_scale), direction,
+                 record.throughput * bounce.weight, bounce.pdf, bounce.wi.z, bounce.random, wanted);
 }
 
 // Weight of emission found by this ray against sampling it as a light.
@@ -38,8 +43,8 @@ float emissionWeight(PathRay ray, Hit hit) {
   }
 #endif
 #if ENVIRONMENT
-  // The environment is sampled like the surface itself; see environment.glsl.
-  if (hit.triangle == TRIANGLE_NONE) weight = powerHeuristic(1.0, uEnvironmentShare);
+  if (hit.triangle == TRIANGLE_NONE)
+    weight = powerHeuristic(ray.pdf, uEnvironmentShare * environmentPdf(ray.direction, ray.cosine));
 #endif
   return weight;
 }

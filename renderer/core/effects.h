@@ -11,9 +11,13 @@ enum class Effect {
   triangle_lights,  // triangles that emit, sampled as lights
   environment,      // light from outside the scene
   smooth_normals,   // shading normals interpolated over a triangle
+  gloss,            // rough surfaces that reflect in a preferred direction
+  mirror,           // surfaces that reflect in one direction
+  glass,            // smooth boundaries that light passes
+  rough_glass,      // rough ones
 };
 
-inline constexpr int kEffectCount = 3;
+inline constexpr int kEffectCount = 7;
 
 using EffectSet = std::bitset<kEffectCount>;
 
@@ -23,8 +27,9 @@ inline bool has(const EffectSet& effects, Effect effect) {
 
 // As the command line and, in capitals, the shaders call it.
 inline std::string nameOf(Effect effect) {
-  constexpr std::array<const char*, kEffectCount> kNames{"triangle_lights", "environment",
-                                                         "smooth_normals"};
+  constexpr std::array<const char*, kEffectCount> kNames{
+      "triangle_lights", "environment", "smooth_normals", "gloss", "mirror", "glass",
+      "rough_glass"};
   return kNames[static_cast<std::size_t>(effect)];
 }
 

@@ -49,13 +49,17 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
 
 void PathTracer::planStages() {
   stages_.clear();
-  for (int bounce = 0; bounce <= bounces_; ++bounce) {
-    stages_.push_back({bounce == 0 ? Pass::camera : Pass::trace, bounce});
-    if (has(effects_, Effect::environment) || marksEnded(bounce))
-      stages_.push_back({Pass::escape, bounce});
-    stages_.push_back({Pass::light, bounce});
-  }
+  for (int bounce = 0; bounce <= bounces_; ++bounce) planBounce(bounce);
+  // Light samples find nothing for a mirror or glass, so at the last surface a ray looks for it.
+  if (has(effects_, Effect::mirror) || has(effects_, Effect::glass)) planBounce(bounces_ + 1);
   stages_.push_back({Pass::accumulate, 0});
+}
+
+void PathTracer::planBounce(int bounce) {
+  stages_.push_back({bounce == 0 ? Pass::camera : Pass::trace, bounce});
+  if (has(effects_, Effect::environment) || marksEnded(bounce))
+    stages_.push_back({Pass::escape, bounce});
+  stages_.push_back({Pass::light, bounce});
 }
 
 // Marking ended paths costs a draw and spares those that follow from them. It pays after the
@@ -63,7 +67,8 @@ void PathTracer::planStages() {
 // alive.
 bool PathTracer::marksEnded(int bounce) const {
   if (!live_only_) return false;
-  return bounce == 0 || (rays_counted_ && alive_[static_cast<std::size_t>(bounce)] < 0.5);
+  if (bounce == 0 || bounce > bounces_) return true;
+  return rays_counted_ && alive_[static_cast<std::size_t>(bounce)] < 0.5;
 }
 
 PathTracer::ProgramKey PathTracer::keyOf(Pass pass) const {
@@ -179,11 +184,12 @@ void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
     state.limit = stage.pass == Pass::escape ? gl::Limit::unmarked_then_mark : gl::Limit::unmarked;
   if (stage.pass == Pass::camera || stage.pass == Pass::trace) {
     bindCamera(program, camera_, film_.width(), film_.height());
+    program.set("uDeltaOnly", stage.bounce > bounces_ ? 1.0f : 0.0f);
     film_.record.back().bind();
     device_->draw(tile, state);
     return;
   }
-  program.set("uLastSurface", stage.bounce == bounces_ ? 1.0f : 0.0f);
+  program.set("uLastSurface", static_cast<float>(std::max(stage.bounce - bounces_ + 1, 0)));
   if (device_->floatBlending()) {
     state.adding = true;
     film_.radiance.front().bind();

@@ -67,7 +67,8 @@ class PathTracer {
   double compileSeconds() const { return compile_seconds_; }
 
  private:
-  // One pass of a sample.
+  // One pass of a sample. After the last bounce there may be one more, on which only what mirrors
+  // and glass send on is followed.
   struct Stage {
     Pass pass;
     int bounce;
@@ -78,6 +79,7 @@ class PathTracer {
   ProgramKey keyOf(Pass pass) const;
   gl::Program& program(Pass pass) { return programs_.at(keyOf(pass)); }
   void planStages();
+  void planBounce(int bounce);
   bool marksEnded(int bounce) const;
   void compile();
   gl::Tile nextTile(double pixels) const;

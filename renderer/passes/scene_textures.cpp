@@ -8,7 +8,9 @@
 #include "renderer/bvh/node_layout.h"
 #include "renderer/core/error.h"
 #include "renderer/passes/data_texture.h"
+#include "renderer/passes/gloss_table.h"
 #include "renderer/passes/light_table.h"
+#include "renderer/scene/effects_of.h"
 #include "shaders/layout.h"
 
 namespace glimt {
@@ -61,8 +63,9 @@ std::vector<Vec4> packMaterials(const Scene& scene, const LightTable& lights) {
   std::vector<Vec4> texels;
   for (const Material& material : scene.materials) {
     const float density = lightDensity(lights, material);
-    texels.emplace_back(material.base_color, 0.0f);
+    texels.emplace_back(material.base_color, material.metallic);
     texels.emplace_back(material.emission, material.double_sided ? -density : density);
+    texels.emplace_back(material.roughness, material.specular, material.ior, material.transmission);
   }
   return texels;
 }
@@ -132,6 +135,7 @@ SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene, const
   grid_origin_ = nodes.grid_origin;
   grid_cell_ = nodes.grid_cell;
   light_count_ = lights.entries.size();
+  gloss_table_ = makeGlossTexture(device, effectsOf(scene));
   environment_share_ = environmentShare(scene, lights);
   environment_radiance_ = scene.environment.radiance();
 }
@@ -142,6 +146,7 @@ void SceneTextures::bind(gl::Program& program) const {
   bindData(program, "uMaterials", materials_);
   bindData(program, "uNormals", normals_);
   bindData(program, "uLights", lights_);
+  program.set("uGlossTable", gloss_table_);
   program.set("uNodesPerCopy", static_cast<float>(nodes_per_copy_));
   program.set("uTriangleCount", static_cast<float>(triangle_count_));
   program.set("uGridOrigin", grid_origin_);

@@ -33,6 +33,7 @@ class SceneTextures {
   gl::Texture normals_;
   gl::Texture materials_;
   gl::Texture lights_;
+  gl::Texture gloss_table_;
   std::size_t node_count_ = 0;
   std::size_t stack_size_ = 0;
   std::size_t nodes_per_copy_ = 0;

@@ -45,10 +45,41 @@ EffectReport reportSmoothNormals(const Scene& scene) {
   return {Effect::smooth_normals, "smooth_normals", count > 0, reason};
 }
 
+// On where a material that triangles have is one of those; `which` says what they are.
+EffectReport reportMaterials(const Scene& scene, Effect effect, bool (*is)(const Material&),
+                             const std::string& which) {
+  std::vector<bool> used(scene.materials.size());
+  for (const Triangle& triangle : scene.triangles) used[triangle.material] = true;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (used[i] && is(scene.materials[i])) names.push_back(scene.materials[i].name);
+  const std::string reason = names.empty() ? fmt::format("no material is {}", which)
+                                           : fmt::format("{}: {}", which, listed(names));
+  return {effect, nameOf(effect), !names.empty(), reason};
+}
+
+bool reflects(const Material& material) {
+  return material.metallic > 0 || (material.specular > 0 && material.transmission < 1);
+}
+
+bool transmits(const Material& material) {
+  return material.metallic < 1 && material.transmission > 0;
+}
+
 }  // namespace
 
 std::vector<EffectReport> reportEffects(const Scene& scene) {
-  return {reportTriangleLights(scene), reportEnvironment(scene), reportSmoothNormals(scene)};
+  const auto gloss = [](const Material& m) { return reflects(m) && m.roughness > 0; };
+  const auto mirror = [](const Material& m) { return reflects(m) && m.roughness == 0; };
+  const auto glass = [](const Material& m) { return transmits(m) && m.roughness == 0; };
+  const auto rough_glass = [](const Material& m) { return transmits(m) && m.roughness > 0; };
+  return {reportTriangleLights(scene),
+          reportEnvironment(scene),
+          reportSmoothNormals(scene),
+          reportMaterials(scene, Effect::gloss, gloss, "rough and reflecting"),
+          reportMaterials(scene, Effect::mirror, mirror, "smooth and reflecting"),
+          reportMaterials(scene, Effect::glass, glass, "smooth and transmitting"),
+          reportMaterials(scene, Effect::rough_glass, rough_glass, "rough and transmitting")};
 }
 
 EffectSet effectsOf(const Scene& scene) {

@@ -14,9 +14,15 @@ namespace glimt {
 
 struct Material {
   std::string name;
-  Vec3 base_color{0.8f};     // reflectance of the Lambert surface, linear, each channel in [0, 1]
+  Vec3 base_color{0.8f};     // reflectance, linear, each channel in [0, 1]
   Vec3 emission{0};          // radiance, linear, >= 0
   bool double_sided = true;  // false: emits on the front side only (counter-clockwise winding)
+  // In glTF's terms. As they stand here: a Lambert surface.
+  float metallic = 0;      // in [0, 1]
+  float roughness = 1;     // in [0, 1]; its square is GGX's alpha; 0 is an exact mirror
+  float specular = 0;      // strength of a dielectric's reflection, in [0, 1]
+  float ior = 1.5f;        // index of refraction, >= 1; 1 is invisible
+  float transmission = 0;  // share of what enters a dielectric that goes through, in [0, 1]
 };
 
 inline constexpr std::uint32_t kNoIndex = 0xffffffffu;

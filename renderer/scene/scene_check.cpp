@@ -128,11 +128,34 @@ bool clampChannels(Vec3& color, float low, float high) {
   return color != before;
 }
 
+// True when it changed.
+bool clampNumber(float& value, float low, float high) {
+  const float before = value;
+  if (!(value >= low)) value = low;
+  if (value > high) value = high;
+  return value != before;
+}
+
+// A rough boundary that bends nothing has no facets to be seen by: it is as invisible as a smooth one.
+bool clampSurface(Material& material) {
+  constexpr float kMostIor = 1000;
+  constexpr float kBendsNothing = 1e-4f;
+  bool changed = false;
+  for (float* share : {&material.metallic, &material.roughness, &material.specular,
+                       &material.transmission})
+    changed |= clampNumber(*share, 0, 1);
+  changed |= clampNumber(material.ior, 1, kMostIor);
+  if (material.transmission > 0 && material.ior < 1 + kBendsNothing) material.roughness = 0;
+  return changed;
+}
+
 void checkMaterials(Scene& scene) {
   std::vector<std::string> recolored;
+  std::vector<std::string> changed;
   std::vector<std::string> dimmed;
   for (Material& material : scene.materials) {
     if (clampChannels(material.base_color, 0, 1)) recolored.push_back(material.name);
+    if (clampSurface(material)) changed.push_back(material.name);
     for (int c = 0; c < 3; ++c) {
       if (std::isinf(material.emission[c])) material.emission[c] = std::nanf("");
     }
@@ -145,6 +168,12 @@ void checkMaterials(Scene& scene) {
         "base colour brought into 0 to 1: {} would reflect more light than there is, or less than "
         "none",
         listed(recolored)));
+  }
+  if (!changed.empty()) {
+    scene.warnings.push_back(fmt::format(
+        "metallic, roughness, specular or transmission brought into 0 to 1, or the index of refraction "
+        "to 1 or more: {}",
+        listed(changed)));
   }
   if (!dimmed.empty()) {
     scene.warnings.push_back(

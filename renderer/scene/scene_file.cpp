@@ -89,23 +89,36 @@ Environment readEnvironment(const JsonFields& fields, const fs::path& folder,
   return environment;
 }
 
-bool asksForMore(const JsonFields& fields) {
-  const float metallic = fields.number("metallic", kUnit).value_or(0.0f);
-  const float roughness = fields.number("roughness", kUnit).value_or(1.0f);
-  const float transmission = fields.number("transmission", kUnit).value_or(0.0f);
-  const float clearcoat = fields.number("clearcoat", kUnit).value_or(0.0f);
-  const bool has_ior = fields.number("ior", kIor).has_value();
-  return metallic > 0 || roughness < 1 || transmission > 0 || clearcoat > 0 || has_ior;
-}
-
 MaterialSettings readMaterial(std::string name, const JsonFields& fields) {
   MaterialSettings material;
   material.name = std::move(name);
   material.base_color = fields.vector("base_color", kUnit);
   material.emission = fields.vector("emission", kPositive);
   material.double_sided = fields.boolean("double_sided");
-  material.beyond_lambert = asksForMore(fields);
+  material.metallic = fields.number("metallic", kUnit);
+  material.roughness = fields.number("roughness", kUnit);
+  material.ior = fields.number("ior", kIor);
+  material.transmission = fields.number("transmission", kUnit);
+  material.beyond = fields.number("clearcoat", kUnit).value_or(0.0f) > 0;
   return material;
+}
+
+template <typename T>
+void replace(T& value, const std::optional<T>& by) {
+  if (by) value = *by;
+}
+
+// Whoever speaks of a surface's gloss means one that reflects like a dielectric, or a metal.
+void apply(const MaterialSettings& settings, Material& material) {
+  replace(material.base_color, settings.base_color);
+  replace(material.emission, settings.emission);
+  replace(material.double_sided, settings.double_sided);
+  replace(material.metallic, settings.metallic);
+  replace(material.roughness, settings.roughness);
+  replace(material.ior, settings.ior);
+  replace(material.transmission, settings.transmission);
+  if (settings.metallic || settings.roughness || settings.ior || settings.transmission)
+    material.specular = 1;
 }
 
 RenderDefaults readRender(const JsonFields& fields) {
@@ -165,10 +178,8 @@ void applyMaterials(const SceneFile& file, Scene& scene) {
       unknown.push_back(settings.name);
       continue;
     }
-    if (settings.base_color) material->base_color = *settings.base_color;
-    if (settings.emission) material->emission = *settings.emission;
-    if (settings.double_sided) material->double_sided = *settings.double_sided;
-    if (settings.beyond_lambert) simplified.push_back(settings.name);
+    apply(settings, *material);
+    if (settings.beyond) simplified.push_back(settings.name);
   }
   if (!unknown.empty()) {
     std::vector<std::string> known;
@@ -178,7 +189,7 @@ void applyMaterials(const SceneFile& file, Scene& scene) {
   }
   if (!simplified.empty()) {
     scene.warnings.push_back(fmt::format(
-        "the scene file asks for metal, gloss or glass; for now rendered as Lambert: {}",
+        "the scene file asks for a clear coat; for now rendered without: {}",
         listed(simplified)));
   }
 }

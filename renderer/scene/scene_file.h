@@ -17,7 +17,11 @@ struct MaterialSettings {
   std::optional<Vec3> base_color;
   std::optional<Vec3> emission;
   std::optional<bool> double_sided;
-  bool beyond_lambert = false;  // asks for gloss, metal or glass
+  std::optional<float> metallic;
+  std::optional<float> roughness;
+  std::optional<float> ior;
+  std::optional<float> transmission;
+  bool beyond = false;  // asks for what is not built: a clear coat
 };
 
 struct SceneFile {

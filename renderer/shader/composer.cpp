@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <optional>
 
 #include "renderer/core/error.h"
 #include "renderer/shader/embedded_files.h"
@@ -27,10 +26,37 @@ constexpr unsigned kPaths = kCamera | kTrace | kLight | kWholePath;
 constexpr unsigned kBounces = kTrace | kLight | kWholePath;  // start from a hit record
 constexpr unsigned kArrivals = kLight | kWholePath;          // ask for the light at a hit
 
+// When a file is part of a shader: always, or where the scene calls for one of some effects, or for
+// none of them.
+struct Condition {
+  unsigned effects = 0;  // a bit for each
+  bool called_for = false;
+};
+constexpr unsigned bit(Effect effect) {
+  return 1u << static_cast<unsigned>(effect);
+}
+constexpr Condition with(unsigned effects) {
+  return {effects, true};
+}
+constexpr Condition with(Effect effect) {
+  return with(bit(effect));
+}
+constexpr Condition without(unsigned effects) {
+  return {effects, false};
+}
+bool isMet(const Condition& condition, const EffectSet& effects) {
+  return ((effects.to_ulong() & condition.effects) != 0) == condition.called_for;
+}
+
+constexpr unsigned kReflecting = bit(Effect::gloss) | bit(Effect::mirror);
+constexpr unsigned kRough = bit(Effect::gloss) | bit(Effect::rough_glass);
+constexpr unsigned kTransmitting = bit(Effect::glass) | bit(Effect::rough_glass);
+constexpr unsigned kLayered = kReflecting | kTransmitting;  // more than Lambert surfaces
+
 struct Piece {
   const char* file;
   unsigned passes;
-  std::optional<Effect> effect;  // left out where the scene does not call for it
+  Condition condition;
 };
 
 // Stands for the files of the traversal that was asked for.
@@ -46,28 +72,40 @@ const auto kPieces = std::to_array<Piece>({
     {"octahedral.glsl", kPaths | kEscape, {}},
     {"hit_record.glsl", kPaths | kEscape, {}},
     {"triangle.glsl", kPaths, {}},
-    {"frame.glsl", kBounces, {}},
+    {"frame.glsl", kBounces | kEscape, {}},
     {"warp.glsl", kBounces | kEscape, {}},
     {"lambert.glsl", kBounces | kEscape, {}},
+    {"fresnel.glsl", kBounces, with(kLayered)},
+    {"ggx.glsl", kBounces, with(kRough)},
+    {"gloss.glsl", kBounces, with(kReflecting)},
+    {"mirror.glsl", kBounces, with(bit(Effect::mirror) | bit(Effect::glass))},
+    {"glass.glsl", kBounces, with(Effect::glass)},
+    {"rough_glass.glsl", kBounces, with(Effect::rough_glass)},
+    {"bsdf_sample.glsl", kBounces, {}},
+    {"bsdf_lambert.glsl", kBounces, without(kLayered)},
+    {"bsdf_layered.glsl", kBounces, with(kLayered)},
     {"ray_origin.glsl", kBounces, {}},
     {"multiple_importance.glsl", kBounces, {}},
     {"texel_address.glsl", kPaths, {}},
     {"triangle_data.glsl", kPaths, {}},
     {"material_data.glsl", kBounces, {}},
-    {"normal_data.glsl", kBounces, Effect::smooth_normals},
+    {"normal_data.glsl", kBounces, with(Effect::smooth_normals)},
     {"surface.glsl", kBounces, {}},
+    {"gloss_albedo.glsl", kBounces, with(kReflecting)},
+    {"lambert_data.glsl", kBounces, without(kLayered)},
+    {"layered_data.glsl", kBounces, with(kLayered)},
     {"traversal.glsl", kPaths, {}},
     {"node_data.glsl", kPaths, {}},
     {kTraversal, kPaths, {}},
     {"camera.glsl", kCamera | kWholePath, {}},
     {"light_share.glsl", kBounces, {}},
-    {"light_table.glsl", kArrivals, Effect::triangle_lights},
-    {"environment.glsl", kArrivals | kEscape, Effect::environment},
+    {"light_table.glsl", kArrivals, with(Effect::triangle_lights)},
+    {"environment.glsl", kBounces | kEscape, with(Effect::environment)},
     {"light_sample.glsl", kArrivals, {}},
     {"radiance_target.glsl", kLight | kEscape, {}},
     {"trace.glsl", kCamera | kTrace | kWholePath, {}},
     {"trace_pass.glsl", kCamera | kTrace, {}},
-    {"escape.glsl", kEscape | kWholePath, Effect::environment},
+    {"escape.glsl", kEscape | kWholePath, with(Effect::environment)},
     {"escape_pass.glsl", kEscape, {}},
     {"light.glsl", kArrivals, {}},
     {"light_pass.glsl", kLight, {}},
@@ -112,7 +150,7 @@ std::string pieces(unsigned pass, const EffectSet& effects, const std::string& t
   std::string text;
   for (const Piece& piece : kPieces) {
     if (!(piece.passes & pass)) continue;
-    if (piece.effect && !has(effects, *piece.effect)) continue;
+    if (!isMet(piece.condition, effects)) continue;
     text += piece.file == kTraversal ? traversalText(traversal) : shaderText(piece.file);
   }
   return text;
