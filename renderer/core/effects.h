@@ -10,6 +10,7 @@ namespace glimt {
 enum class Effect {
   triangle_lights,  // triangles that emit, sampled as lights
   environment,      // light from outside the scene
+  environment_map,  // which differs from direction to direction
   smooth_normals,   // shading normals interpolated over a triangle
   gloss,            // rough surfaces that reflect in a preferred direction
   mirror,           // surfaces that reflect in one direction
@@ -17,7 +18,7 @@ enum class Effect {
   rough_glass,      // rough ones
 };
 
-inline constexpr int kEffectCount = 7;
+inline constexpr int kEffectCount = 8;
 
 using EffectSet = std::bitset<kEffectCount>;
 
@@ -28,7 +29,7 @@ inline bool has(const EffectSet& effects, Effect effect) {
 // As the command line and, in capitals, the shaders call it.
 inline std::string nameOf(Effect effect) {
   constexpr std::array<const char*, kEffectCount> kNames{
-      "triangle_lights", "environment", "smooth_normals", "gloss", "mirror", "glass",
+      "triangle_lights", "environment", "environment_map", "smooth_normals", "gloss", "mirror", "glass",
       "rough_glass"};
   return kNames[static_cast<std::size_t>(effect)];
 }

@@ -1,30 +1,8 @@
 #include "renderer/passes/light_table.h"
 
+#include "renderer/passes/alias_table.h"
+
 namespace glimt {
-namespace {
-
-// Entries with less than the mean give what they lack to one with more.
-void fillAliases(std::vector<LightEntry>& entries, std::vector<double> scaled) {
-  std::vector<std::uint32_t> poor;
-  std::vector<std::uint32_t> rich;
-  for (std::uint32_t i = 0; i < entries.size(); ++i) (scaled[i] < 1 ? poor : rich).push_back(i);
-  while (!poor.empty() && !rich.empty()) {
-    const std::uint32_t taker = poor.back();
-    const std::uint32_t giver = rich.back();
-    poor.pop_back();
-    entries[taker].share = static_cast<float>(scaled[taker]);
-    entries[taker].other_triangle = entries[giver].triangle;
-    scaled[giver] -= 1 - scaled[taker];
-    if (scaled[giver] < 1) {
-      rich.pop_back();
-      poor.push_back(giver);
-    }
-  }
-  // What is left differs from one by rounding only, and keeps a share of one.
-}
-
-}  // namespace
-
 double areaOf(const Scene& scene, const Triangle& triangle) {
   const glm::dvec3 a(scene.positions[triangle.positions[0]]);
   const glm::dvec3 b(scene.positions[triangle.positions[1]]);
@@ -45,17 +23,18 @@ float lightDensity(const LightTable& table, const Material& material) {
 LightTable buildLightTable(const Scene& scene) {
   LightTable table;
   std::vector<double> powers;
+  std::vector<std::uint32_t> triangles;
   for (std::uint32_t i = 0; i < scene.triangles.size(); ++i) {
     const Triangle& triangle = scene.triangles[i];
     const float weight = emissionWeight(scene.materials[triangle.material]);
     if (!(weight > 0)) continue;
-    table.entries.push_back({1.0f, i, i});
+    triangles.push_back(i);
     powers.push_back(areaOf(scene, triangle) * weight);
     table.total_power += powers.back();
   }
-  const double mean = table.total_power / static_cast<double>(powers.size());
-  for (double& power : powers) power /= mean;
-  fillAliases(table.entries, std::move(powers));
+  const std::vector<AliasEntry> aliases = buildAliasTable(powers);
+  for (std::size_t i = 0; i < aliases.size(); ++i)
+    table.entries.push_back({aliases[i].share, triangles[i], triangles[aliases[i].other]});
   return table;
 }
 

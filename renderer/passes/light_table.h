@@ -8,9 +8,7 @@
 
 namespace glimt {
 
-// An alias table: to choose with u in [0, 1), take entry floor(u * size), and of it `triangle` if
-// the fraction of u * size is below `share`, else `other_triangle`. Vose 1991, "A Linear Algorithm
-// for Generating Random Numbers with a Given Distribution".
+// Of an alias table; see alias_table.h.
 struct LightEntry {
   float share = 1;
   std::uint32_t triangle = 0;  // both into Scene::triangles

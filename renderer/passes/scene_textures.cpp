@@ -83,7 +83,7 @@ std::vector<Vec4> packLights(const LightTable& lights, const Bvh& bvh) {
 // Where both kinds of light are there, each gets half the samples: which one matters differs from
 // point to point, and half is never off by more than a factor of two.
 float environmentShare(const Scene& scene, const LightTable& lights) {
-  const bool environment = scene.environment.radiance() != Vec3(0);
+  const bool environment = scene.environment.shines();
   const bool triangles = !lights.entries.empty();
   return environment ? (triangles ? 0.5f : 1.0f) : 0.0f;
 }
@@ -138,6 +138,7 @@ SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene, const
   gloss_table_ = makeGlossTexture(device, effectsOf(scene));
   environment_share_ = environmentShare(scene, lights);
   environment_radiance_ = scene.environment.radiance();
+  environment_map_ = EnvironmentMap(device, scene.environment);
 }
 
 void SceneTextures::bind(gl::Program& program) const {
@@ -154,6 +155,7 @@ void SceneTextures::bind(gl::Program& program) const {
   program.set("uLightCount", static_cast<float>(light_count_));
   program.set("uEnvironmentShare", environment_share_);
   program.set("uEnvironmentRadiance", environment_radiance_);
+  environment_map_.bind(program);
 }
 
 std::size_t SceneTextures::bytes() const {
@@ -161,7 +163,7 @@ std::size_t SceneTextures::bytes() const {
   for (const gl::Texture* texture : {&nodes_, &triangles_, &normals_, &materials_, &lights_})
     texels +=
         static_cast<std::size_t>(texture->width()) * static_cast<std::size_t>(texture->height());
-  return texels * sizeof(Vec4);
+  return texels * sizeof(Vec4) + environment_map_.bytes();
 }
 
 }  // namespace glimt

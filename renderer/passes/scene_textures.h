@@ -3,6 +3,7 @@
 
 #include "renderer/gl/device.h"
 #include "renderer/gl/program.h"
+#include "renderer/passes/environment_map.h"
 #include "renderer/passes/scene_tree.h"
 #include "renderer/scene/scene.h"
 
@@ -43,6 +44,7 @@ class SceneTextures {
   std::size_t light_count_ = 0;
   float environment_share_ = 0;
   Vec3 environment_radiance_{0};
+  EnvironmentMap environment_map_;
   double build_seconds_ = 0;
 };
 

@@ -26,12 +26,26 @@ EffectReport reportTriangleLights(const Scene& scene) {
 }
 
 EffectReport reportEnvironment(const Scene& scene) {
-  const Vec3 radiance = scene.environment.radiance();
-  const bool on = anyPositive(radiance);
-  const std::string reason = on ? fmt::format("environment radiance is ({:g}, {:g}, {:g})",
-                                              radiance.x, radiance.y, radiance.z)
-                                : "its radiance is zero";
-  return {Effect::environment, "environment", on, reason};
+  const Environment& environment = scene.environment;
+  const Vec3 radiance = environment.radiance();
+  std::string reason = "its radiance is zero";
+  if (environment.shines())
+    reason = environment.image.pixels.empty()
+                 ? fmt::format("environment radiance is ({:g}, {:g}, {:g})", radiance.x, radiance.y,
+                               radiance.z)
+                 : "it has a picture";
+  return {Effect::environment, "environment", environment.shines(), reason};
+}
+
+EffectReport reportEnvironmentMap(const Scene& scene) {
+  const Image& image = scene.environment.image;
+  const bool on = scene.environment.shines() && !image.pixels.empty();
+  std::string reason = "no light comes from outside";
+  if (on)
+    reason = fmt::format("a picture of {} x {} pixels", image.width, image.height);
+  else if (scene.environment.shines())
+    reason = "the environment is one colour";
+  return {Effect::environment_map, "environment_map", on, reason};
 }
 
 EffectReport reportSmoothNormals(const Scene& scene) {
@@ -75,6 +89,7 @@ std::vector<EffectReport> reportEffects(const Scene& scene) {
   const auto rough_glass = [](const Material& m) { return transmits(m) && m.roughness > 0; };
   return {reportTriangleLights(scene),
           reportEnvironment(scene),
+          reportEnvironmentMap(scene),
           reportSmoothNormals(scene),
           reportMaterials(scene, Effect::gloss, gloss, "rough and reflecting"),
           reportMaterials(scene, Effect::mirror, mirror, "smooth and reflecting"),

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/core/image.h"
 #include "renderer/core/vector.h"
 #include "renderer/scene/camera.h"
 
@@ -37,10 +38,15 @@ struct Triangle {
 
 // Light that arrives from infinitely far away.
 struct Environment {
-  Vec3 color{0};  // radiance, linear
+  Vec3 color{0};  // radiance, linear; with a picture, what its radiance is multiplied by
   float strength = 1;
+  Image image;         // of all directions, equirectangular: its top up, +x in its centre; or none
+  float rotation = 0;  // of the picture about +y, in degrees, counter-clockwise seen from above
 
+  // Of an even environment, without a picture.
   Vec3 radiance() const { return color * strength; }
+  // Whether any light comes from it.
+  bool shines() const;
 };
 
 // What the scene's file asks for; the command line wins over it.

@@ -45,23 +45,16 @@ CameraSettings readCamera(const JsonFields& fields) {
   return camera;
 }
 
-// The picture's mean over the sphere: rows near the poles stand for less of it.
-Vec3 meanOverSphere(const Image& image) {
-  glm::dvec3 sum{0};
-  double weights = 0;
-  for (int y = 0; y < image.height; ++y) {
-    const double weight = std::sin(std::numbers::pi * (y + 0.5) / image.height);
-    for (int x = 0; x < image.width; ++x) {
-      const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                     static_cast<std::size_t>(x);
-      for (int c = 0; c < 3; ++c) {
-        const double value = image.pixels[i][c];
-        if (std::isfinite(value) && value > 0) sum[c] += weight * value;
-      }
-      weights += weight;
+// What is not a radiance becomes black. True when there was such a pixel.
+bool makeSound(Image& image) {
+  bool changed = false;
+  for (Vec3& pixel : image.pixels)
+    for (int c = 0; c < 3; ++c) {
+      if (pixel[c] >= 0 && std::isfinite(pixel[c])) continue;
+      pixel[c] = 0;
+      changed = true;
     }
-  }
-  return Vec3(sum / weights);
+  return changed;
 }
 
 Image readSky(const fs::path& path) {
@@ -78,13 +71,13 @@ Environment readEnvironment(const JsonFields& fields, const fs::path& folder,
   Environment environment;
   environment.color = fields.vector("color", kPositive).value_or(Vec3(1));
   environment.strength = fields.number("strength", kPositive).value_or(1.0f);
-  fields.number("rotation", kFinite);
+  environment.rotation = fields.number("rotation", kFinite).value_or(0.0f);
   if (const std::optional<std::string> name = fields.text("image")) {
     const fs::path path = folder / fs::path(*name);
-    environment.color = meanOverSphere(readSky(path));
-    warnings.push_back(
-        fmt::format("environment {}: for now its mean colour lights the scene, from all sides",
-                    printable(path.filename().string())));
+    environment.image = readSky(path);
+    if (makeSound(environment.image))
+      warnings.push_back(fmt::format("environment {}: pixels that are negative or not finite are black",
+                                     printable(path.filename().string())));
   }
   return environment;
 }

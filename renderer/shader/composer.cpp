@@ -26,26 +26,29 @@ constexpr unsigned kPaths = kCamera | kTrace | kLight | kWholePath;
 constexpr unsigned kBounces = kTrace | kLight | kWholePath;  // start from a hit record
 constexpr unsigned kArrivals = kLight | kWholePath;          // ask for the light at a hit
 
-// When a file is part of a shader: always, or where the scene calls for one of some effects, or for
-// none of them.
+// When a file is part of a shader: where the scene calls for one of some effects, and for none of
+// some others.
 struct Condition {
-  unsigned effects = 0;  // a bit for each
-  bool called_for = false;
+  unsigned any_of = 0;  // a bit for each effect; 0: always
+  unsigned none_of = 0;
+
+  constexpr Condition butNot(unsigned effects) const { return {any_of, effects}; }
 };
 constexpr unsigned bit(Effect effect) {
   return 1u << static_cast<unsigned>(effect);
 }
 constexpr Condition with(unsigned effects) {
-  return {effects, true};
+  return {effects, 0};
 }
 constexpr Condition with(Effect effect) {
   return with(bit(effect));
 }
 constexpr Condition without(unsigned effects) {
-  return {effects, false};
+  return {0, effects};
 }
 bool isMet(const Condition& condition, const EffectSet& effects) {
-  return ((effects.to_ulong() & condition.effects) != 0) == condition.called_for;
+  const unsigned long on = effects.to_ulong();
+  return (condition.any_of == 0 || (on & condition.any_of) != 0) && (on & condition.none_of) == 0;
 }
 
 constexpr unsigned kReflecting = bit(Effect::gloss) | bit(Effect::mirror);
@@ -100,7 +103,9 @@ const auto kPieces = std::to_array<Piece>({
     {"camera.glsl", kCamera | kWholePath, {}},
     {"light_share.glsl", kBounces, {}},
     {"light_table.glsl", kArrivals, with(Effect::triangle_lights)},
-    {"environment.glsl", kBounces | kEscape, with(Effect::environment)},
+    {"environment.glsl", kBounces | kEscape,
+     with(Effect::environment).butNot(bit(Effect::environment_map))},
+    {"environment_map.glsl", kBounces | kEscape, with(Effect::environment_map)},
     {"light_sample.glsl", kArrivals, {}},
     {"radiance_target.glsl", kLight | kEscape, {}},
     {"trace.glsl", kCamera | kTrace | kWholePath, {}},
