@@ -11,7 +11,14 @@ float environmentPdf(vec3 direction, float cosine) {
   return pdfLambert(vec3(0.0, 0.0, cosine));
 }
 
+struct EnvironmentSample {
+  vec3 direction;
+  vec3 radiance;
+  float pdf;  // per solid angle
+};
+
 // A direction in which the environment's light is looked for.
-vec3 sampleEnvironmentDirection(Frame frame, vec4 random) {
-  return fromFrame(frame, sampleLambert(random.xy));
+EnvironmentSample sampleEnvironment(Frame frame, vec4 random) {
+  vec3 local = sampleLambert(random.xy);
+  return EnvironmentSample(fromFrame(frame, local), uEnvironmentRadiance, pdfLambert(local));
 }

@@ -27,10 +27,9 @@ LightSample sampleTriangleLight(vec3 origin, float choice, vec2 random) {
 #endif
 
 #if ENVIRONMENT
-LightSample sampleEnvironment(Frame frame, vec4 random) {
-  vec3 direction = sampleEnvironmentDirection(frame, random);
-  float pdf = environmentPdf(direction, dot(direction, frame.normal));
-  return LightSample(direction, FAR_AWAY, direction, environmentRadiance(direction), pdf, pdf > 0.0);
+LightSample sampleEnvironmentLight(Frame frame, vec4 random) {
+  EnvironmentSample sky = sampleEnvironment(frame, random);
+  return LightSample(sky.direction, FAR_AWAY, sky.direction, sky.radiance, sky.pdf, sky.pdf > 0.0);
 }
 #endif
 
@@ -39,7 +38,7 @@ LightSample sampleLight(Frame frame, vec3 origin, vec4 random) {
   LightSample triangle = sampleTriangleLight(origin, random.z, random.xy);
   bool to_sky = random.w < uEnvironmentShare;
   float left = to_sky ? random.w / uEnvironmentShare : 0.0;
-  LightSample sky = sampleEnvironment(frame, vec4(random.xyz, left));
+  LightSample sky = sampleEnvironmentLight(frame, vec4(random.xyz, left));
   triangle.pdf *= 1.0 - uEnvironmentShare;
   sky.pdf *= uEnvironmentShare;
   if (to_sky) return sky;
@@ -51,6 +50,6 @@ LightSample sampleLight(Frame frame, vec3 origin, vec4 random) {
 }
 #elif ENVIRONMENT
 LightSample sampleLight(Frame frame, vec3 origin, vec4 random) {
-  return sampleEnvironment(frame, random);
+  return sampleEnvironmentLight(frame, random);
 }
 #endif
