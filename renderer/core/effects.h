@@ -29,8 +29,8 @@ inline bool has(const EffectSet& effects, Effect effect) {
 // As the command line and, in capitals, the shaders call it.
 inline std::string nameOf(Effect effect) {
   constexpr std::array<const char*, kEffectCount> kNames{
-      "triangle_lights", "environment", "environment_map", "smooth_normals", "gloss", "mirror", "glass",
-      "rough_glass"};
+      "triangle_lights", "environment", "environment_map", "smooth_normals",
+      "gloss",           "mirror",      "glass",           "rough_glass"};
   return kNames[static_cast<std::size_t>(effect)];
 }
 

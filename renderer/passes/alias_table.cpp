@@ -6,8 +6,8 @@ namespace glimt {
 
 // Entries with less than the mean give what they lack to one with more.
 std::vector<AliasEntry> buildAliasTable(const std::vector<double>& weights) {
-  const double mean = std::accumulate(weights.begin(), weights.end(), 0.0) /
-                      static_cast<double>(weights.size());
+  const double mean =
+      std::accumulate(weights.begin(), weights.end(), 0.0) / static_cast<double>(weights.size());
   std::vector<AliasEntry> entries(weights.size());
   std::vector<double> scaled;
   std::vector<std::uint32_t> poor;

@@ -1,5 +1,5 @@
-// Choosing among many by their weights in constant time: Vose 1991, "A Linear Algorithm for Generating
-// Random Numbers with a Given Distribution".
+// Choosing among many by their weights in constant time: Vose 1991, "A Linear Algorithm for
+// Generating Random Numbers with a Given Distribution".
 #pragma once
 
 #include <cstdint>

@@ -19,8 +19,8 @@ double brightness(const Vec3& radiance) {
   return (static_cast<double>(radiance.r) + radiance.g + radiance.b) / 3;
 }
 
-// Mean brightness of each pixel's square, neighbours blended in as bilinear lookups do: 1/8, 6/8, 1/8
-// in either direction, around the left and right edges.
+// Mean brightness of each pixel's square, neighbours blended in as bilinear lookups do: 1/8, 6/8,
+// 1/8 in either direction, around the left and right edges.
 std::vector<double> blended(const Image& image) {
   const int width = image.width;
   const int height = image.height;
@@ -48,7 +48,9 @@ std::vector<double> blended(const Image& image) {
 // How many pixels a side make a cell.
 int cellSide(const Image& image, std::size_t most) {
   int side = 1;
-  const auto cells = [&](int pixels) { return static_cast<std::size_t>((pixels + side - 1) / side); };
+  const auto cells = [&](int pixels) {
+    return static_cast<std::size_t>((pixels + side - 1) / side);
+  };
   while (cells(image.width) * cells(image.height) > most) ++side;
   return side;
 }
@@ -69,8 +71,9 @@ EnvironmentCells environmentCells(const Image& image, std::size_t most) {
       const int column = x * cells.width / image.width;
       const int row = y * cells.height / image.height;
       const auto cell = static_cast<std::size_t>(row * cells.width + column);
-      sums[cell] += brightnesses[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                                 static_cast<std::size_t>(x)];
+      sums[cell] +=
+          brightnesses[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                       static_cast<std::size_t>(x)];
       pixels[cell] += 1;
     }
 
@@ -103,18 +106,19 @@ EnvironmentMap::EnvironmentMap(const gl::Device& device, const Environment& envi
   }
   const int most = device.maxTextureSize();
   if (std::max(image.width, image.height) > most)
-    throw Error(ErrorKind::input,
-                fmt::format("the environment's picture has {} x {} pixels, and textures here have at "
-                            "most {} a side; make it smaller",
-                            image.width, image.height, most));
+    throw Error(
+        ErrorKind::input,
+        fmt::format("the environment's picture has {} x {} pixels, and textures here have at "
+                    "most {} a side; make it smaller",
+                    image.width, image.height, most));
   std::vector<Vec4> texels;
   texels.reserve(image.pixels.size());
   for (const Vec3& pixel : image.pixels) texels.emplace_back(pixel, 1);
   picture_ =
       gl::Texture::floats(device.gl(), device.floatForm(), image.width, image.height, texels);
   EnvironmentCells cells = environmentCells(image, kMostCells);
-  cells_ = gl::Texture::floats(device.gl(), device.floatForm(), cells.width, cells.height,
-                               cells.texels);
+  cells_ =
+      gl::Texture::floats(device.gl(), device.floatForm(), cells.width, cells.height, cells.texels);
   scale_ = environment.color * environment.strength;
   const double angle = std::numbers::pi / 180 * environment.rotation;
   rotation_ = Vec2(std::cos(angle), std::sin(angle));

@@ -17,8 +17,8 @@ struct EnvironmentCells {
 };
 
 // In proportion to what a cell sends, bilinear lookups as in shaders/environment_map.glsl. `most`
-// limits the number of cells; one is several pixels of a larger picture. Errors: input, for a picture
-// that is black.
+// limits the number of cells; one is several pixels of a larger picture. Errors: input, for a
+// picture that is black.
 EnvironmentCells environmentCells(const Image& image, std::size_t most);
 
 class EnvironmentMap {

@@ -136,13 +136,14 @@ bool clampNumber(float& value, float low, float high) {
   return value != before;
 }
 
-// A rough boundary that bends nothing has no facets to be seen by: it is as invisible as a smooth one.
+// A rough boundary that bends nothing has no facets to be seen by: it is as invisible as a smooth
+// one.
 bool clampSurface(Material& material) {
   constexpr float kMostIor = 1000;
   constexpr float kBendsNothing = 1e-4f;
   bool changed = false;
-  for (float* share : {&material.metallic, &material.roughness, &material.specular,
-                       &material.transmission})
+  for (float* share :
+       {&material.metallic, &material.roughness, &material.specular, &material.transmission})
     changed |= clampNumber(*share, 0, 1);
   changed |= clampNumber(material.ior, 1, kMostIor);
   if (material.transmission > 0 && material.ior < 1 + kBendsNothing) material.roughness = 0;
@@ -170,10 +171,11 @@ void checkMaterials(Scene& scene) {
         listed(recolored)));
   }
   if (!changed.empty()) {
-    scene.warnings.push_back(fmt::format(
-        "metallic, roughness, specular or transmission brought into 0 to 1, or the index of refraction "
-        "to 1 or more: {}",
-        listed(changed)));
+    scene.warnings.push_back(
+        fmt::format("metallic, roughness, specular or transmission brought into 0 to 1, or the "
+                    "index of refraction "
+                    "to 1 or more: {}",
+                    listed(changed)));
   }
   if (!dimmed.empty()) {
     scene.warnings.push_back(

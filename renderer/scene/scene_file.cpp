@@ -76,8 +76,9 @@ Environment readEnvironment(const JsonFields& fields, const fs::path& folder,
     const fs::path path = folder / fs::path(*name);
     environment.image = readSky(path);
     if (makeSound(environment.image))
-      warnings.push_back(fmt::format("environment {}: pixels that are negative or not finite are black",
-                                     printable(path.filename().string())));
+      warnings.push_back(
+          fmt::format("environment {}: pixels that are negative or not finite are black",
+                      printable(path.filename().string())));
   }
   return environment;
 }
@@ -182,8 +183,7 @@ void applyMaterials(const SceneFile& file, Scene& scene) {
   }
   if (!simplified.empty()) {
     scene.warnings.push_back(fmt::format(
-        "the scene file asks for a clear coat; for now rendered without: {}",
-        listed(simplified)));
+        "the scene file asks for a clear coat; for now rendered without: {}", listed(simplified)));
   }
 }
 

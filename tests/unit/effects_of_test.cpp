@@ -81,3 +81,39 @@ TEST_CASE("smooth_normals is on when at least one triangle has normals, and says
   CHECK(report.on);
   CHECK(report.reason == "1,234 of 5,000 triangles have normals");
 }
+
+TEST_CASE("an environment's picture turns on environment_map, unless there is no light in it") {
+  Scene scene = sceneOf(1);
+  scene.environment.color = Vec3(1);
+  CHECK(reportOn(scene, Effect::environment_map).reason == "the environment is one colour");
+  scene.environment.image = {2, 1, {Vec3(0), Vec3(1)}};
+  CHECK(has(effectsOf(scene), Effect::environment));
+  CHECK(reportOn(scene, Effect::environment_map).reason == "a picture of 2 x 1 pixels");
+  scene.environment.image.pixels[1] = Vec3(0);
+  CHECK(effectsOf(scene).none());
+}
+
+TEST_CASE("a material turns on the one effect that it is, when a triangle has it") {
+  struct Case {
+    float metallic, roughness, specular, transmission;
+    Effect effect;
+  };
+  const std::string name = "thing";
+  for (const Case& c :
+       {Case{1, 0.5f, 0, 0, Effect::gloss}, Case{0, 1, 1, 0, Effect::gloss},
+        Case{1, 0, 0, 0, Effect::mirror}, Case{0, 0, 1, 0, Effect::mirror},
+        Case{0, 0, 1, 1, Effect::glass}, Case{0, 0.2f, 1, 1, Effect::rough_glass}}) {
+    Scene scene = sceneOf(2);
+    scene.materials[1] = Material();
+    scene.materials[1].name = name;
+    scene.materials[1].metallic = c.metallic;
+    scene.materials[1].roughness = c.roughness;
+    scene.materials[1].specular = c.specular;
+    scene.materials[1].transmission = c.transmission;
+    CHECK(effectsOf(scene).none());
+    scene.triangles[1].material = 1;
+    CHECK(effectsOf(scene).count() == 1);
+    CHECK(reportOn(scene, c.effect).on);
+    CHECK_THAT(reportOn(scene, c.effect).reason, Catch::EndsWith("'thing'"));
+  }
+}

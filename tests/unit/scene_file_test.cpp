@@ -225,12 +225,25 @@ TEST_CASE("a material that the model names and no MTL defines can be said in the
   CHECK(named(scene, "gold").base_color == Vec3(1, 1, 0));
 }
 
-TEST_CASE("metal, gloss and glass are accepted with one warning") {
+TEST_CASE(
+    "metal, gloss and glass are taken from the file, a clear coat is left out with a warning") {
   const SceneFolder folder;
   const Scene scene = folder.load(
-      R"("materials": {"wall": {"metallic": 1, "roughness": 0.3}, "lamp": {"transmission": 1, "ior": 1.5}})");
-  CHECK(warns(scene, "for now rendered as Lambert: 'lamp' and 'wall'"));
-  CHECK(folder.load(R"("materials": {"wall": {"metallic": 0, "roughness": 1}})").warnings.empty());
+      R"("materials": {"wall": {"metallic": 1, "roughness": 0.3}, "lamp": {"transmission": 1, "ior": 1.4}})");
+  CHECK(scene.warnings.empty());
+  CHECK(named(scene, "wall").metallic == 1);
+  CHECK(named(scene, "wall").roughness == 0.3f);
+  CHECK(named(scene, "lamp").transmission == 1);
+  CHECK(named(scene, "lamp").ior == 1.4f);
+  CHECK(warns(folder.load(R"("materials": {"wall": {"clearcoat": 1}})"), "without: 'wall'"));
+}
+
+TEST_CASE("a material is a Lambert surface until the file speaks of its gloss") {
+  const SceneFolder folder;
+  CHECK(
+      named(folder.load(R"("materials": {"wall": {"base_color": [1, 1, 1]}})"), "wall").specular ==
+      0);
+  CHECK(named(folder.load(R"("materials": {"wall": {"roughness": 0.5}})"), "wall").specular == 1);
 }
 
 TEST_CASE(
@@ -249,18 +262,30 @@ TEST_CASE(
   CHECK(folder.load(R"("environment": {"strength": 0.5})").environment.radiance() == Vec3(0.5f));
 }
 
-TEST_CASE("for now an environment's picture lights with its mean over the sphere, and a warning") {
+TEST_CASE("an environment has its picture, what multiplies it, and its rotation") {
   const SceneFolder folder;
   writeImage(folder / "sky.pfm", {2, 2, {Vec3(1, 0, 4), Vec3(3, 0, 4), Vec3(0), Vec3(0, 8, 4)}});
-  const Scene scene = folder.load(R"("environment": {"image": "sky.pfm", "strength": 0.5})");
-  CHECK(scene.environment.radiance().x == Approx(0.5));
-  CHECK(scene.environment.radiance().y == Approx(1));
-  CHECK(scene.environment.radiance().z == Approx(1.5));
-  CHECK(warns(scene, "sky.pfm: for now its mean colour"));
-  // Of three rows, the one at the horizon covers half the sphere.
-  writeImage(folder / "rows.pfm", {1, 3, {Vec3(0), Vec3(1), Vec3(0)}});
-  CHECK(folder.load(R"("environment": {"image": "rows.pfm"})").environment.color.x == Approx(0.5));
+  const Environment sky =
+      folder.load(R"("environment": {"image": "sky.pfm", "strength": 0.5, "rotation": 30})")
+          .environment;
+  CHECK(sky.image.width == 2);
+  CHECK(sky.image.pixels[1] == Vec3(3, 0, 4));
+  CHECK(sky.radiance() == Vec3(0.5f));
+  CHECK(sky.rotation == 30);
+  CHECK(sky.shines());
   CHECK_THAT(folder.error(R"("environment": {"image": "none.hdr"})"),
              Catch::Contains("none.hdr: cannot read (no such file)"));
   CHECK_THAT(folder.error(R"("environment": {"image": "sky.tga"})"), Catch::Contains(".tga"));
+}
+
+TEST_CASE("what is no radiance in an environment's picture becomes black, with a warning") {
+  const SceneFolder folder;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  writeImage(folder / "sky.pfm", {2, 1, {Vec3(nan, 1, 2), Vec3(-1, 3, 4)}});
+  const Scene scene = folder.load(R"("environment": {"image": "sky.pfm"})");
+  CHECK(scene.environment.image.pixels[0] == Vec3(0, 1, 2));
+  CHECK(scene.environment.image.pixels[1] == Vec3(0, 3, 4));
+  CHECK(warns(scene, "sky.pfm: pixels that are negative"));
+  writeImage(folder / "black.pfm", {1, 1, {Vec3(0)}});
+  CHECK_FALSE(folder.load(R"("environment": {"image": "black.pfm"})").environment.shines());
 }
