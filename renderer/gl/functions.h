@@ -76,6 +76,9 @@ struct Functions {
   GLIMT_GL_FUNCTIONS(GLIMT_GL_MEMBER)
 #undef GLIMT_GL_MEMBER
 
+  // Null where the context cannot tell that it was lost; see Context.
+  GLenum(GL_APIENTRYP GetGraphicsResetStatus)() = nullptr;
+
   // Errors: no_gl, naming the first function that the context does not have.
   static Functions load(const ProcLoader& loader);
 };

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/core/error.h"
+#include "renderer/gl/errors.h"
 
 namespace glimt::gl {
 namespace {
@@ -47,17 +47,23 @@ void Target::clearStencil() const {
   gl.Clear(GL_STENCIL_BUFFER_BIT);
 }
 
+void Target::read(GLenum type, void* texels) const {
+  const Functions& gl = texture_.gl();
+  bind();
+  clearErrors(gl);
+  gl.ReadPixels(0, 0, width(), height(), GL_RGBA, type, texels);
+  checkErrors(gl, fmt::format("reading back a picture of {} x {}", width(), height()));
+}
+
 std::vector<Vec4> Target::readFloats() const {
   std::vector<Vec4> texels(static_cast<std::size_t>(width()) * height());
-  bind();
-  texture_.gl().ReadPixels(0, 0, width(), height(), GL_RGBA, GL_FLOAT, texels.data());
+  read(GL_FLOAT, texels.data());
   return texels;
 }
 
 std::vector<unsigned char> Target::readBytes() const {
   std::vector<unsigned char> bytes(static_cast<std::size_t>(width()) * height() * 4);
-  bind();
-  texture_.gl().ReadPixels(0, 0, width(), height(), GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+  read(GL_UNSIGNED_BYTE, bytes.data());
   return bytes;
 }
 

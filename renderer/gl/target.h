@@ -27,11 +27,14 @@ class Target {
   // Takes all marks off; see stencil.h.
   void clearStencil() const;
 
-  // The whole content, rows from the bottom. Each for a texture of its kind.
+  // The whole content, rows from the bottom. Each for a texture of its kind. Errors: failed, when
+  // the context gives it no more.
   std::vector<Vec4> readFloats() const;
   std::vector<unsigned char> readBytes() const;
 
  private:
+  void read(GLenum type, void* texels) const;
+
   Texture texture_;
   FramebufferHandle framebuffer_;
 };

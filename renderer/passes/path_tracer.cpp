@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "renderer/gl/errors.h"
 #include "renderer/passes/camera_uniforms.h"
 #include "renderer/passes/data_texture.h"
 #include "renderer/scene/effects_of.h"
@@ -27,11 +28,12 @@ bool isHit(const Vec4& record) {
 
 PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
                        const PathTracerSettings& settings, const WorkProgress& progress)
-    : PathTracer(device, scene, settings,
-                 buildSceneTree(scene, device.maxTextureSize(), progress)) {}
+    : PathTracer(device, scene, settings, buildSceneTree(scene, device.maxTextureSize(), progress),
+                 progress) {}
 
 PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
-                       const PathTracerSettings& settings, const SceneTree& tree)
+                       const PathTracerSettings& settings, const SceneTree& tree,
+                       const WorkProgress& progress)
     : device_(&device),
       points_(settings.seed),
       candidates_(candidateTraversals(settings.traversal, tree.bvh, device.info(),
@@ -44,7 +46,7 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
       live_only_(settings.live_only && canDrawLiveOnly(device)),
       camera_(scene.camera) {
   planStages();
-  compile();
+  compile(progress);
 }
 
 void PathTracer::planStages() {
@@ -71,12 +73,13 @@ PathTracer::ProgramKey PathTracer::keyOf(Pass pass) const {
   return {traces ? traversal_ : "", pass};
 }
 
-void PathTracer::compile() {
+void PathTracer::compile(const WorkProgress& progress) {
   const auto start = std::chrono::steady_clock::now();
   const int gles = traversalNamed(traversal_).gles;
   const std::string vertex = composeVertexShader(gles);
   for (const Stage& stage : stages_) {
     if (programs_.contains(keyOf(stage.pass))) continue;
+    if (progress) progress(1);
     ShaderRequest request;
     request.pass = stage.pass;
     request.effects = effects_;
@@ -94,7 +97,7 @@ void PathTracer::compile() {
 void PathTracer::use(const std::string& traversal) {
   if (traversal == traversal_) return;
   traversal_ = traversal;
-  compile();
+  compile({});
 }
 
 void PathTracer::setCamera(const Camera& camera) {
@@ -120,7 +123,9 @@ double PathTracer::drawTile(double pixels) {
   const Stage stage = stages_[stage_];
   if (row_ == 0 && column_ == 0) beginStage(stage);
   const gl::Tile tile = nextTile(pixels);
+  gl::clearErrors(device_->gl());
   drawStage(stage, tile);
+  gl::checkErrors(device_->gl(), "drawing the pass " + nameOf(stage.pass));
   column_ += tile.width;
   if (column_ == film_.width()) {
     column_ = 0;
@@ -148,6 +153,11 @@ gl::Tile PathTracer::nextTile(double pixels) const {
   const int columns = whole_rows ? film_.width() : steps(pixels / kTileStep);
   return {column_, row_, std::min(columns, film_.width() - column_),
           std::min(rows, film_.height() - row_)};
+}
+
+void PathTracer::takeBackSample() {
+  film_.mean.swap();
+  --samples_;
 }
 
 void PathTracer::beginStage(const Stage& stage) {

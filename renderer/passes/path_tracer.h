@@ -32,11 +32,11 @@ struct RayCounts {
 
 class PathTracer {
  public:
-  // `progress` is told how far the tree is.
+  // `progress` is told how far the tree is, and 1 again before each further piece of work.
   PathTracer(const gl::Device& device, const Scene& scene, const PathTracerSettings& settings,
              const WorkProgress& progress = {});
   PathTracer(const gl::Device& device, const Scene& scene, const PathTracerSettings& settings,
-             const SceneTree& tree);
+             const SceneTree& tree, const WorkProgress& progress = {});
 
   void setCamera(const Camera& camera);
   void resize(int width, int height);
@@ -56,8 +56,12 @@ class PathTracer {
   // Whether the next draw begins a sample.
   bool atSampleStart() const { return stage_ == 0 && row_ == 0 && column_ == 0; }
 
-  // One draw, of at most about `pixels` pixels. Returns how many they were.
+  // One draw, of at most about `pixels` pixels. Returns how many they were. Errors: failed, when
+  // GL fails; what was complete before stays so.
   double drawTile(double pixels);
+
+  // Right after the draw that completed a sample: as if it had not been drawn.
+  void takeBackSample();
 
   int samples() const { return samples_; }
   const Film& film() const { return film_; }
@@ -79,7 +83,7 @@ class PathTracer {
   gl::Program& program(Pass pass) { return programs_.at(keyOf(pass)); }
   void planStages();
   bool marksEnded(int bounce) const;
-  void compile();
+  void compile(const WorkProgress& progress);
   gl::Tile nextTile(double pixels) const;
   void beginStage(const Stage& stage);
   void drawStage(const Stage& stage, const gl::Tile& tile);
