@@ -42,7 +42,7 @@ Json jsonOf(const RenderReport& report) {
           {"gl_version", report.context.version},
           {"gles", report.context.gles},
           {"traversal", report.statistics.traversal},
-          {"record", "packed"},
+          {"record", report.settings.record},
           {"triangles", report.statistics.triangles},
           {"effects", report.effects},
           {"seconds", secondsOf(report)},

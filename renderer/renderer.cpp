@@ -63,7 +63,8 @@ class Renderer::State {
         const WorkProgress& progress)
       : device(deviceFor(context, settings.traversal, scene.triangles.size())),
         triangles(scene.triangles.size()),
-        tracer(device, scene, {settings.bounces, settings.seed, settings.traversal}, progress) {
+        tracer(device, scene,
+               {settings.bounces, settings.seed, settings.traversal, settings.record}, progress) {
     tracer.resize(settings.width, settings.height);
   }
 

@@ -56,6 +56,7 @@ struct RenderSettings {
   int bounces = 4;         // secondary bounces: a path has at most bounces + 1 scattering surfaces
   std::uint32_t seed = 0;  // same seed, same context: the same picture, bit for bit
   std::string traversal = "auto";
+  std::string record = "packed";  // how hits are kept: "packed", or "wide", which needs ES 3.0
 };
 
 struct RenderStatistics {
@@ -83,9 +84,10 @@ class Renderer {
   // Builds the tree, uploads the scene and compiles the programs that the scene calls for. The
   // context is current and outlives the renderer. `progress` is told how far the tree is, which
   // takes seconds for millions of triangles; compiling follows.
-  // Errors: usage for an unknown traversal, input for a scene larger than the device's textures or,
-  // with traversal "linear", with more triangles than a loop makes turns on this device, no_gl
-  // where the device has no float target, failed for a shader that does not compile.
+  // Errors: usage for an unknown traversal or record, or one that the context lacks, input for a
+  // scene larger than the device's textures or, with traversal "linear", with more triangles than a
+  // loop makes turns on this device, no_gl where the device has no float target, failed for a
+  // shader that does not compile.
   Renderer(ContextHandle& context, const Scene& scene, const RenderSettings& settings,
            const WorkProgress& progress = {});
   Renderer(Renderer&&) noexcept;
