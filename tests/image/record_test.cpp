@@ -62,7 +62,7 @@ TEST_CASE("packed and wide records give the same picture, within the noise of th
     std::cout << "channel " << channel << ": mean off by " << 100 * sum[channel] / light[channel]
               << "%, standard deviation " << 100 * deviation / light[channel] << "%\n";
     CHECK(std::abs(sum[channel]) < 4 * deviation);
-    CHECK(4 * deviation < 0.004 * light[channel]);  // or the line above says little
+    CHECK(4 * deviation < 0.001 * light[channel]);  // or the line above says little
   }
 }
 
