@@ -135,7 +135,7 @@ void report(const Image& packed, const Image& wide, const char* file) {
   writeDisplayImage(file, pictureOf(packed, wide, &white));
   const glm::dvec3 percent = 100.0 * means.difference;
   fmt::print(
-      "{:+.4f}, {:+.4f}, {:+.4f} | {:.4f} | {:+.4f} ({:+.1f}) | {:.2f} ± {:.2f} | {:.2f} ± {:.2f} "
+      "{:+.5f}, {:+.5f}, {:+.5f} | {:.5f} | {:+.4f} ({:+.1f}) | {:.2f} ± {:.2f} | {:.2f} ± {:.2f} "
       "| "
       "{:.2f}\n",
       percent.r, percent.g, percent.b,

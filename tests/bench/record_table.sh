@@ -52,5 +52,5 @@ for scene in "$@"; do
   render "$scene" wide "$samples" wide
   cells=$("$difference" "$folder/packed.pfm" "$folder/wide.pfm" \
     "$root/docs/images/record-difference-$name.png")
-  echo "| $name | $cells | $(timesOf "$scene" "$name") |"
+  echo "| $name, $size, $samples samples | $cells | $(timesOf "$scene" "$name") |"
 done
