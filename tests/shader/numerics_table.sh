@@ -21,8 +21,9 @@ a float in [1, 2). The record's rows are what comes back against what went in.
 
 A bound is the sum of roundings in the last column, each at its worst and all in the same direction:
 standard forward error analysis to the first order (Higham 2002, "Accuracy and Stability of Numerical
-Algorithms", chapters 2 and 3), worked out in the comments of `tests/shader/numerics_*_test.cpp`. It
-is not fitted to what is measured. A figure above its bound is bold, and the test fails.
+Algorithms", chapters 2 and 3). That of intersection is worked out in
+`tests/shader/numerics_triangle_test.cpp`. None is fitted to what is measured. A figure above its bound
+is bold, and the test fails.
 
 - t: distance of the hit. L: longest edge. c: double area of the triangle seen along the ray, in
   squares of L. Small c is a sliver, or a ray that grazes. Rays are left out where the bound would let a
