@@ -148,9 +148,8 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
   addPicture(command, options.picture);
   addBackend(command, options.backend);
   add(command, "--record", "packed|wide", "How hits are stored (packed)",
-      [](const std::string& text) {
-        if (parseChoice("--record", text, {"packed", "wide"}) == "packed") return;
-        throw Error(ErrorKind::usage, "--record wide is not in this version; use packed");
+      [&](const std::string& text) {
+        options.picture.record = parseChoice("--record", text, {"packed", "wide"});
       });
   addJson(command, options.json);
   command.add_flag("--quiet", options.quiet, "Say nothing but errors");
@@ -237,6 +236,7 @@ RenderSettings settingsOf(const PictureOptions& options, const Scene& scene) {
   settings.bounces = options.bounces.value_or(scene.render.bounces.value_or(4));
   settings.seed = options.seed;
   settings.traversal = options.traversal;
+  settings.record = options.record;
   return settings;
 }
 

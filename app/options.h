@@ -32,6 +32,7 @@ struct PictureOptions {
   std::optional<float> exposure;  // EV
   std::uint32_t seed = 0;
   std::string traversal = "auto";
+  std::string record = "packed";
   int gles = 2;
 };
 

@@ -66,7 +66,8 @@ class Renderer::State {
         const WorkProgress& progress)
       : device(deviceFor(context, settings.traversal, scene.triangles.size())),
         triangles(scene.triangles.size()),
-        tracer(device, scene, {settings.bounces, settings.seed, settings.traversal}, progress),
+        tracer(device, scene,
+               {settings.bounces, settings.seed, settings.traversal, settings.record}, progress),
         trial(tracer.candidates()) {
     tracer.resize(settings.width, settings.height);
   }

@@ -59,6 +59,7 @@ struct RenderSettings {
   // give the same one, too.
   std::uint32_t seed = 0;
   std::string traversal = "auto";  // the likeliest to be fast; after two seconds, the fastest
+  std::string record = "packed";   // how hits are kept: "packed", or "wide", which needs ES 3.0
 };
 
 struct RenderStatistics {
@@ -94,10 +95,10 @@ class Renderer {
   // Builds the tree, uploads the scene and compiles the programs that the scene calls for. The
   // context is current and outlives the renderer. `progress` is told how far the tree is, which
   // takes seconds for millions of triangles, and 1 again before each shader is compiled.
-  // Errors: usage for an unknown traversal, input for a scene larger than the device's textures or,
-  // with traversal "linear", with more triangles than a loop makes turns on this device, no_gl
-  // where the device has no float target, failed for a shader that does not compile and where GL
-  // is out of memory or loses the context.
+  // Errors: usage for an unknown traversal or record, or one that the context lacks, input for a
+  // scene larger than the device's textures or, with traversal "linear", with more triangles than a
+  // loop makes turns on this device, no_gl where the device has no float target, failed for a
+  // shader that does not compile and where GL is out of memory or loses the context.
   Renderer(ContextHandle& context, const Scene& scene, const RenderSettings& settings,
            const WorkProgress& progress = {});
   Renderer(Renderer&&) noexcept;

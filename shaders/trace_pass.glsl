@@ -1,14 +1,13 @@
 // The trace pass: one ray of every path. The camera pass is the same without a record to start from.
-uniform sampler2D uRecord;
-
 void main() {
   vec2 pixel = pixelCenter();
   vec4 random = samplePoint(pixel);
 #if FROM_CAMERA
   PathRay ray = cameraRay(pixel, random);
 #else
-  vec4 texel = texture2D(uRecord, pictureAddress(pixel));
-  PathRay ray = scatteredRay(decodeHitRecord(texel), isEnded(texel), random);
+  HitRecord start;
+  bool live = readRecord(pixel, start);
+  PathRay ray = scatteredRay(start, !live, random);
 #endif
   Hit hit = closestHit(ray.origin, ray.direction, ray.wanted);
 
@@ -18,6 +17,5 @@ void main() {
   float weight = emissionWeight(ray, hit);
 #endif
   vec4 rounding = vec4(random.z, random.w, lowBits(random.z), lowBits(random.w));
-  vec4 record = encodeHitRecord(recordOf(ray, hit, weight), rounding);
-  writeTexel(goesOn(ray, hit) ? record : vec4(0.0));
+  writeRecord(recordOf(ray, hit, weight), goesOn(ray, hit), rounding);
 }

@@ -11,7 +11,8 @@ namespace glimt {
 class TargetPair {
  public:
   TargetPair() = default;
-  TargetPair(const gl::Device& device, int width, int height, bool both = true);
+  TargetPair(const gl::Device& device, int width, int height, bool both = true,
+             std::size_t textures = 1);  // of each target
 
   const gl::Target& front() const { return targets_[front_]; }     // to read
   const gl::Target& back() const { return targets_[1 - front_]; }  // to write
@@ -31,7 +32,7 @@ bool canDrawLiveOnly(const gl::Device& device);
 struct Film {
   Film() = default;
   // Errors: usage, when the picture is larger than the device's textures.
-  Film(const gl::Device& device, int width, int height);
+  Film(const gl::Device& device, int width, int height, std::size_t record_textures = 1);
 
   int width() const { return mean.front().width(); }
   int height() const { return mean.front().height(); }

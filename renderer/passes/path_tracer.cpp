@@ -1,10 +1,13 @@
 #include "renderer/passes/path_tracer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <chrono>
 #include <cmath>
 
+#include "renderer/core/error.h"
 #include "renderer/gl/errors.h"
 #include "renderer/passes/camera_uniforms.h"
 #include "renderer/passes/data_texture.h"
@@ -16,12 +19,28 @@ namespace {
 // Tiles begin at multiples of this many pixels, which is how tiled rasterisers divide a target.
 constexpr int kTileStep = 64;
 
-// Whether a hit record is of a path that has met a triangle; see shaders/hit_record.glsl, whose
-// first channel holds the triangle in its mantissa.
-bool isHit(const Vec4& record) {
+// Whether a packed hit record is of a path that has met a triangle; see shaders/hit_record.glsl,
+// whose first channel holds the triangle in its mantissa.
+bool isPackedHit(const Vec4& record) {
   constexpr std::uint32_t kMantissa = (1u << 23) - 1;
   constexpr std::uint32_t kUnknown = kMantissa - 1;
   return record.x != 0 && (std::bit_cast<std::uint32_t>(record.x) & kMantissa) < kUnknown;
+}
+
+// The same for the first texel of a wide one; see shaders/wide_record_input.glsl.
+bool isWideHit(const Vec4& record) {
+  constexpr float kUnknown = 8388606;
+  return record.x > 0.5f && record.y < kUnknown;
+}
+
+Record recordFor(const gl::Device& device, const std::string& name) {
+  const Record& record = recordNamed(name);
+  const bool several = record.samplers.size() > 1;
+  if (record.gles > device.info().gles || (several && !device.gl().DrawBuffers))
+    throw Error(ErrorKind::usage, fmt::format("record '{}' needs OpenGL ES {}.0; render with "
+                                              "--gles {}",
+                                              name, record.gles, record.gles));
+  return record;
 }
 
 }  // namespace
@@ -39,6 +58,7 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
       candidates_(candidateTraversals(settings.traversal, tree.bvh, device.info(),
                                       mostTexels(device.maxTextureSize()))),
       traversal_(candidates_.front()),
+      record_(recordFor(device, settings.record)),
       scene_(device, scene, tree, traversalNamed(traversal_).layout),
       offsets_(points_.makeOffsets(device)),
       effects_(effectsOf(scene)),
@@ -75,7 +95,7 @@ PathTracer::ProgramKey PathTracer::keyOf(Pass pass) const {
 
 void PathTracer::compile(const WorkProgress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  const int gles = traversalNamed(traversal_).gles;
+  const int gles = std::max(traversalNamed(traversal_).gles, record_.gles);
   const std::string vertex = composeVertexShader(gles);
   for (const Stage& stage : stages_) {
     if (programs_.contains(keyOf(stage.pass))) continue;
@@ -84,6 +104,7 @@ void PathTracer::compile(const WorkProgress& progress) {
     request.pass = stage.pass;
     request.effects = effects_;
     request.traversal = traversal_;
+    request.record = record_.name;
     request.additive_blending = device_->floatBlending();
     request.live_only = live_only_;
     request.gles = gles;
@@ -107,7 +128,7 @@ void PathTracer::setCamera(const Camera& camera) {
 
 void PathTracer::resize(int width, int height) {
   if (width == film_.width() && height == film_.height()) return;
-  film_ = Film(*device_, width, height);
+  film_ = Film(*device_, width, height, record_.samplers.size());
   restart();
 }
 
@@ -183,7 +204,8 @@ void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
   }
   scene_.bind(program);
   bindSamplePoint(program, stage);
-  program.set("uRecord", film_.record.front().texture());
+  for (std::size_t i = 0; i < record_.samplers.size(); ++i)
+    program.set(record_.samplers[i], film_.record.front().texture(i));
   gl::DrawState state;
   if (live_only_)
     state.limit = stage.pass == Pass::escape ? gl::Limit::unmarked_then_mark : gl::Limit::unmarked;
@@ -217,7 +239,8 @@ void PathTracer::endStage(const Stage& stage) {
 
 void PathTracer::countRays(const Stage& stage) {
   const std::vector<Vec4> records = film_.record.front().readFloats();
-  const auto hits = static_cast<double>(std::count_if(records.begin(), records.end(), isHit));
+  const auto hits = static_cast<double>(std::count_if(
+      records.begin(), records.end(), record_.name == "wide" ? isWideHit : isPackedHit));
   const bool last = stage.bounce == bounces_;
   if (stage.pass == Pass::camera) {
     alive_.clear();

@@ -12,6 +12,7 @@
 #include "renderer/passes/sample_points.h"
 #include "renderer/passes/scene_textures.h"
 #include "renderer/shader/composer.h"
+#include "renderer/shader/records.h"
 
 namespace glimt {
 
@@ -19,6 +20,7 @@ struct PathTracerSettings {
   int bounces = 4;
   std::uint32_t seed = 0;
   std::string traversal = "auto";
+  std::string record = "packed";  // see records.h
   bool live_only =
       true;  // passes are drawn for live paths only, where the device can; same picture
 };
@@ -32,7 +34,8 @@ struct RayCounts {
 
 class PathTracer {
  public:
-  // `progress` is told how far the tree is, and 1 again before each further piece of work.
+  // `progress` is told how far the tree is, and 1 again before each further piece of work. Errors:
+  // usage, also for a record that does not exist or does not run on the context.
   PathTracer(const gl::Device& device, const Scene& scene, const PathTracerSettings& settings,
              const WorkProgress& progress = {});
   PathTracer(const gl::Device& device, const Scene& scene, const PathTracerSettings& settings,
@@ -95,6 +98,7 @@ class PathTracer {
   SamplePoints points_;
   std::vector<std::string> candidates_;
   std::string traversal_;
+  Record record_;
   SceneTextures scene_;
   gl::Texture offsets_;
   EffectSet effects_;

@@ -9,6 +9,7 @@
 
 #include "renderer/core/error.h"
 #include "renderer/shader/embedded_files.h"
+#include "renderer/shader/records.h"
 #include "renderer/shader/traversals.h"
 
 namespace glimt {
@@ -35,6 +36,10 @@ struct Piece {
 
 // Stands for the files of the traversal that was asked for.
 constexpr const char* kTraversal = "traverse_*.glsl";
+
+// Stand for the files of the record that was asked for.
+constexpr const char* kRecordInput = "*_record_input.glsl";
+constexpr const char* kRecordOutput = "*_record_output.glsl";
 
 // In the order in which they are put together: a file comes after those that it calls.
 const auto kPieces = std::to_array<Piece>({
@@ -65,6 +70,8 @@ const auto kPieces = std::to_array<Piece>({
     {"environment.glsl", kArrivals | kEscape, Effect::environment},
     {"light_sample.glsl", kArrivals, {}},
     {"radiance_target.glsl", kLight | kEscape, {}},
+    {kRecordInput, kTrace | kEscape | kLight, {}},
+    {kRecordOutput, kCamera | kTrace, {}},
     {"trace.glsl", kCamera | kTrace | kWholePath, {}},
     {"trace_pass.glsl", kCamera | kTrace, {}},
     {"escape.glsl", kEscape | kWholePath, Effect::environment},
@@ -108,12 +115,19 @@ std::string defines(unsigned pass, const EffectSet& effects, bool additive_blend
   return text;
 }
 
-std::string pieces(unsigned pass, const EffectSet& effects, const std::string& traversal) {
+std::string pieces(unsigned pass, const EffectSet& effects, const std::string& traversal,
+                   const std::string& record) {
+  const auto textOf = [&](const char* file) {
+    if (file == kTraversal) return traversalText(traversal);
+    if (file == kRecordInput) return shaderText(recordNamed(record).input_file);
+    if (file == kRecordOutput) return shaderText(recordNamed(record).output_file);
+    return shaderText(file);
+  };
   std::string text;
   for (const Piece& piece : kPieces) {
     if (!(piece.passes & pass)) continue;
     if (piece.effect && !has(effects, *piece.effect)) continue;
-    text += piece.file == kTraversal ? traversalText(traversal) : shaderText(piece.file);
+    text += textOf(piece.file);
   }
   return text;
 }
@@ -141,7 +155,7 @@ std::string composeFragmentShader(const ShaderRequest& request) {
   const unsigned pass = bit(request.pass);
   return startFor(request.gles) +
          defines(pass, request.effects, request.additive_blending, request.live_only) +
-         pieces(pass, request.effects, request.traversal);
+         pieces(pass, request.effects, request.traversal, request.record);
 }
 
 std::string composeFragmentShader(Pass pass) {
@@ -180,7 +194,7 @@ std::string composeTraversalProbe(const std::string& traversal, const std::strin
 std::string composePathProbe(const EffectSet& effects, const std::string& traversal,
                              const std::string& text) {
   return startFor(traversalNamed(traversal).gles) + defines(kWholePath, effects, false, false) +
-         pieces(kWholePath, effects, traversal) + text;
+         pieces(kWholePath, effects, traversal, "packed") + text;
 }
 
 }  // namespace glimt

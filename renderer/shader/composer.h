@@ -23,6 +23,7 @@ struct ShaderRequest {
   Pass pass = Pass::display;
   EffectSet effects;
   std::string traversal = "octant";  // see traversals.h
+  std::string record = "packed";     // see records.h
   bool additive_blending = true;     // radiance is added by blending, not by reading
   bool live_only = false;            // draws are limited to live paths; see escape_pass.glsl
   int gles = 2;                      // the OpenGL ES version whose language it is written in
@@ -34,7 +35,7 @@ std::string nameOf(Pass pass);
 // Vertex shader of every pass, in the language that the fragment shader is in.
 std::string composeVertexShader(int gles = 2);
 
-// Errors: usage, for a traversal that does not exist.
+// Errors: usage, for a traversal or a record that does not exist.
 std::string composeFragmentShader(const ShaderRequest& request);
 
 // The same for a pass that depends on nothing but itself: accumulate, display.
