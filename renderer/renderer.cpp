@@ -85,7 +85,7 @@ class Renderer::State {
                        composeFragmentShader(Pass::display));
     display_->use();
     display_->set("uZero", Vec4(0));
-    display_->set("uMean", tracer.film().mean.front().texture());
+    tracer.accumulation().bind(*display_);
     display_->set("uDisplaySize", Vec2(width, height));
     display_->set("uExposureScale", std::exp2(exposure));
     device.draw({0, 0, width, height});
@@ -134,9 +134,9 @@ int Renderer::samples() const {
 }
 
 Image Renderer::radiance() {
-  const gl::Target& mean = state_->tracer.film().mean.front();
-  const std::vector<Vec4> texels = mean.readFloats();
-  Image image{mean.width(), mean.height(), {}};
+  const Film& film = state_->tracer.film();
+  const std::vector<Vec4> texels = state_->tracer.accumulation().readMean();
+  Image image{film.width(), film.height(), {}};
   image.pixels.reserve(texels.size());
   for (int y = image.height - 1; y >= 0; --y)  // GL's rows begin at the bottom
     for (int x = 0; x < image.width; ++x)
@@ -145,7 +145,7 @@ Image Renderer::radiance() {
 }
 
 int Renderer::nonfinitePixels() {
-  const std::vector<Vec4> texels = state_->tracer.film().mean.front().readFloats();
+  const std::vector<Vec4> texels = state_->tracer.accumulation().readMean();
   const auto samples = static_cast<float>(state_->tracer.samples());
   return static_cast<int>(std::count_if(texels.begin(), texels.end(),
                                         [&](const Vec4& texel) { return texel.a < samples; }));
@@ -154,7 +154,7 @@ int Renderer::nonfinitePixels() {
 Losses Renderer::lastLosses() {
   Losses losses;
   for (const Vec4& texel : state_->tracer.film().radiance.front().readFloats()) {
-    // As light.glsl marks them, and as accumulate.glsl asks.
+    // As light.glsl marks them, and as sample_mean.glsl asks.
     const bool marked = std::min({texel.r, texel.g, texel.b}) < 0;
     const bool good = texel.r + texel.g + texel.b <= 1e30f;
     losses.cut_short += marked;

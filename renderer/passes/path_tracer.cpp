@@ -8,6 +8,7 @@
 #include "renderer/passes/camera_uniforms.h"
 #include "renderer/passes/data_texture.h"
 #include "renderer/scene/effects_of.h"
+#include "shaders/layout.h"
 
 namespace glimt {
 namespace {
@@ -41,6 +42,7 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
       effects_(effectsOf(scene)),
       bounces_(settings.bounces),
       live_only_(settings.live_only && canDrawLiveOnly(device)),
+      accumulation_(device),
       camera_(scene.camera) {
   planStages();
   compile();
@@ -55,6 +57,7 @@ void PathTracer::planStages() {
     stages_.push_back({Pass::light, bounce});
   }
   stages_.push_back({Pass::accumulate, 0});
+  if ((samples_ + 1) % SAMPLES_PER_BLOCK == 0) stages_.push_back({Pass::close_block, 0});
 }
 
 // Marking ended paths costs a draw and spares those that follow from them. It pays after the
@@ -70,7 +73,7 @@ void PathTracer::compile() {
   const int gles = traversalNamed(traversal_).gles;
   const std::string vertex = composeVertexShader(gles);
   for (const Stage& stage : stages_) {
-    if (programs_.contains(stage.pass)) continue;
+    if (stage.pass == Pass::accumulate || programs_.contains(stage.pass)) continue;
     ShaderRequest request;
     request.pass = stage.pass;
     request.effects = effects_;
@@ -93,12 +96,14 @@ void PathTracer::setCamera(const Camera& camera) {
 void PathTracer::resize(int width, int height) {
   if (width == film_.width() && height == film_.height()) return;
   film_ = Film(*device_, width, height);
+  accumulation_.resize(width, height);
   restart();
 }
 
 void PathTracer::restart() {
-  film_.mean.clear();
+  accumulation_.clear();
   samples_ = 0;
+  planStages();
   stage_ = 0;
   row_ = 0;
   column_ = 0;
@@ -119,8 +124,8 @@ double PathTracer::drawTile(double pixels) {
     endStage(stage);
     stage_ = (stage_ + 1) % stages_.size();
     if (stage_ == 0) {
-      if (samples_ == 0) planStages();
       ++samples_;
+      planStages();
     }
   }
   return static_cast<double>(tile.width) * tile.height;
@@ -148,17 +153,18 @@ void PathTracer::beginStage(const Stage& stage) {
 }
 
 void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
+  if (stage.pass == Pass::accumulate) {
+    accumulation_.add(film_.radiance.front().texture(), tile);
+    return;
+  }
+  if (stage.pass == Pass::close_block) {
+    accumulation_.closeBlock(tile);
+    return;
+  }
   gl::Program& program = this->program(stage.pass);
   program.use();
   program.set("uZero", Vec4(0));
   program.set("uPictureStep", 1.0f / Vec2(film_.width(), film_.height()));
-  if (stage.pass == Pass::accumulate) {
-    program.set("uRadiance", film_.radiance.front().texture());
-    program.set("uMean", film_.mean.front().texture());
-    film_.mean.back().bind();
-    device_->draw(tile);
-    return;
-  }
   scene_.bind(program);
   bindSamplePoint(program, stage);
   program.set("uRecord", film_.record.front().texture());
@@ -184,7 +190,9 @@ void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
 
 void PathTracer::endStage(const Stage& stage) {
   if (stage.pass == Pass::accumulate) {
-    film_.mean.swap();
+    accumulation_.endSample();
+  } else if (stage.pass == Pass::close_block) {
+    accumulation_.endBlock();
   } else if (stage.pass == Pass::escape || stage.pass == Pass::light) {
     if (!device_->floatBlending()) film_.radiance.swap();
   } else {

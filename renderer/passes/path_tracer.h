@@ -6,6 +6,7 @@
 
 #include "renderer/gl/device.h"
 #include "renderer/gl/program.h"
+#include "renderer/passes/accumulation.h"
 #include "renderer/passes/film.h"
 #include "renderer/passes/sample_points.h"
 #include "renderer/passes/scene_textures.h"
@@ -50,6 +51,7 @@ class PathTracer {
 
   int samples() const { return samples_; }
   const Film& film() const { return film_; }
+  const Accumulation& accumulation() const { return accumulation_; }
   const SceneTextures& scene() const { return scene_; }
   const std::string& traversal() const { return traversal_; }  // the one in use
   const RayCounts& rays() const { return rays_; }
@@ -84,6 +86,7 @@ class PathTracer {
   std::map<Pass, gl::Program> programs_;
   std::vector<Stage> stages_;
   Film film_;
+  Accumulation accumulation_;
   Camera camera_;
   std::vector<double>
       alive_;  // share of the paths that met a triangle, for each bounce; of the first sample

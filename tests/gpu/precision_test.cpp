@@ -58,7 +58,7 @@ TEST_CASE("texels, pixel centres beyond 2048 and calculated numbers are exact, t
 TEST_CASE("every pass writes its texel once, under no condition") {
   const std::string prelude = shaderText("prelude.glsl");
   for (const Pass pass :
-       {Pass::camera, Pass::trace, Pass::escape, Pass::light, Pass::accumulate, Pass::display}) {
+       {Pass::camera, Pass::trace, Pass::escape, Pass::light, Pass::accumulate, Pass::close_block, Pass::display}) {
     CAPTURE(nameOf(pass));
     ShaderRequest request;
     request.pass = pass;

@@ -28,6 +28,7 @@ namespace {
 #include "shaders/lambert.glsl"
 #include "shaders/ray_origin.glsl"
 #include "shaders/multiple_importance.glsl"
+#include "shaders/sample_mean.glsl"
 #include "shaders/display_transform.glsl"
 // clang-format on
 }  // namespace
