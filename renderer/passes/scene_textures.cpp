@@ -59,8 +59,9 @@ std::vector<Vec4> packNormals(const Scene& scene, const Bvh& bvh) {
 
 std::vector<Vec4> packMaterials(const Scene& scene, const LightTable& lights) {
   std::vector<Vec4> texels;
-  for (const Material& material : scene.materials) {
-    const float density = lightDensity(lights, material);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const Material& material = scene.materials[i];
+    const auto density = static_cast<float>(lights.densities[i]);
     texels.emplace_back(material.base_color, 0.0f);
     texels.emplace_back(material.emission, material.double_sided ? -density : density);
   }
