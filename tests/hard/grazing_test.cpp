@@ -44,7 +44,7 @@ double expectedRadiance(const Scene& scene) {
 }
 
 double error(const Scene& scene) {
-  const Image image = hardPicture(scene, settingsFor(16, 0), slowDriver() ? 64 : 256);
+  const Image image = hardPicture(scene, settingsFor(16, 0), slowDriver() ? 64 : 128);
   return relativeError(meanRadiance(image), expectedRadiance(scene));
 }
 
@@ -52,7 +52,7 @@ double error(const Scene& scene) {
 
 TEST_CASE("light that grazes a plane lights it by the sine of its elevation") {
   for (const Bsdf& bsdf : kBsdfs)
-    for (const float distance : {10.0f, 1000.0f})
+    for (const float distance : {1.25f, 1000.0f})
       for (const float elevation : {1e-1f, 1e-2f, 1e-3f, 1e-4f}) {
         Scene scene = plane(bsdf, distance, elevation);
         lookAtSpot(scene, Vec3(0, 2, 0.01f), Vec3(0));
