@@ -56,6 +56,7 @@ const auto kPieces = std::to_array<Piece>({
     {"triangle_data.glsl", kPaths, {}},
     {"material_data.glsl", kBounces, {}},
     {"normal_data.glsl", kBounces, Effect::smooth_normals},
+    {"shadow_terminator.glsl", kBounces, Effect::smooth_normals},
     {"surface.glsl", kBounces, {}},
     {"traversal.glsl", kPaths, {}},
     {"node_data.glsl", kPaths, {}},

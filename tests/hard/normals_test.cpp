@@ -94,6 +94,7 @@ TEST_CASE("a furnace with tilted normals is finite and gains no energy") {
       Scene scene;
       addSphere(scene, 1, 2, add(scene, bsdf.material(1, 1)));
       scene.camera = furnace(0).camera;
+      scene.camera.position *= 0.5f;
       tiltNormals(scene, degrees);
       const Image image = hardPicture(scene, settingsFor(size, bounces), 32);
       most = std::max(most, meanRadiance(image) / furnaceRadiance(1, bounces));
