@@ -98,7 +98,7 @@ class Renderer::State {
                        composeFragmentShader(Pass::display));
     display_->use();
     display_->set("uZero", Vec4(0));
-    display_->set("uMean", tracer.film().mean.front().texture());
+    tracer.accumulation().bind(*display_);
     display_->set("uDisplaySize", Vec2(width, height));
     display_->set("uExposureScale", std::exp2(exposure));
     device.draw({0, 0, width, height});
@@ -182,9 +182,9 @@ int Renderer::samples() const {
 
 Picture Renderer::picture() {
   state_->demandReadable();
-  const gl::Target& mean = state_->tracer.film().mean.front();
-  const std::vector<Vec4> texels = mean.readFloats();
-  Picture picture{{mean.width(), mean.height(), {}}, samples(), 0};
+  const Film& film = state_->tracer.film();
+  const std::vector<Vec4> texels = state_->tracer.accumulation().readMean();
+  Picture picture{{film.width(), film.height(), {}}, samples(), 0};
   const auto count = static_cast<float>(picture.samples);
   picture.nonfinite_pixels = static_cast<int>(std::count_if(
       texels.begin(), texels.end(), [&](const Vec4& texel) { return texel.a < count; }));
@@ -207,7 +207,7 @@ int Renderer::nonfinitePixels() {
 Losses Renderer::lastLosses() {
   Losses losses;
   for (const Vec4& texel : state_->tracer.film().radiance.front().readFloats()) {
-    // As light.glsl marks them, and as accumulate.glsl asks.
+    // As light.glsl marks them, and as sample_mean.glsl asks.
     const bool marked = std::min({texel.r, texel.g, texel.b}) < 0;
     const bool good = texel.r + texel.g + texel.b <= 1e30f;
     losses.cut_short += marked;

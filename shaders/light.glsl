@@ -20,9 +20,8 @@ vec3 reflectedRadiance(HitRecord record, Surface surface, vec4 random, bool want
   vec3 origin = leaveSurface(surface.position, surface.geometric, surface.error_scale);
   LightSample light = sampleLight(surface, origin, random);
   float cosine = dot(light.direction, surface.normal);
-  float above = min(cosine, dot(light.direction, surface.geometric));
   vec3 base_color = fetchBaseColor(surface.material);
-  wanted = wanted && light.possible && above > 0.0;
+  wanted = wanted && light.possible && cosine > 0.0;
   wanted = wanted && max(base_color.r, max(base_color.g, base_color.b)) > 0.0;
   float visible = visibility(origin, light.to, light.far, wanted);
   if (!wanted) return vec3(0.0);

@@ -9,12 +9,14 @@ struct LightSample {
 };
 
 #if TRIANGLE_LIGHTS
-LightSample sampleTriangleLight(vec3 origin, float choice, vec2 random) {
+// The light arrives at the surface itself: the shadow ray starts a little above it, from where light
+// that grazes the surface would seem to come at another angle.
+LightSample sampleTriangleLight(Surface surface, vec3 origin, float choice, vec2 random) {
   TriangleData data = fetchTriangle(chooseLight(choice));
   Emission emission = fetchEmission(data.material);
   vec3 normal = normalize(cross(data.v1 - data.v0, data.v2 - data.v0));
   vec3 point = interpolate(data.v0, data.v1, data.v2, sampleTriangle(random));
-  vec3 to = point - origin;
+  vec3 to = point - surface.position;
   float distance2 = max(dot(to, to), 1.0e-30);
   vec3 direction = to * inversesqrt(distance2);
   float cosine = -dot(direction, normal);
@@ -37,7 +39,7 @@ LightSample sampleEnvironment(Surface surface, vec2 random) {
 
 #if TRIANGLE_LIGHTS && ENVIRONMENT
 LightSample sampleLight(Surface surface, vec3 origin, vec4 random) {
-  LightSample triangle = sampleTriangleLight(origin, random.z, random.xy);
+  LightSample triangle = sampleTriangleLight(surface, origin, random.z, random.xy);
   LightSample sky = sampleEnvironment(surface, random.xy);
   triangle.pdf *= 1.0 - uEnvironmentShare;
   sky.pdf *= uEnvironmentShare;
@@ -46,7 +48,7 @@ LightSample sampleLight(Surface surface, vec3 origin, vec4 random) {
 }
 #elif TRIANGLE_LIGHTS
 LightSample sampleLight(Surface surface, vec3 origin, vec4 random) {
-  return sampleTriangleLight(origin, random.z, random.xy);
+  return sampleTriangleLight(surface, origin, random.z, random.xy);
 }
 #elif ENVIRONMENT
 LightSample sampleLight(Surface surface, vec3 origin, vec4 random) {

@@ -20,8 +20,8 @@ PathRay scatteredRay(HitRecord record, bool ended, vec4 random) {
   Surface surface = surfaceOf(record);
   vec3 local = sampleLambert(random.xy);
   vec3 direction = fromFrame(frameAround(surface.normal), local);
-  // A direction that the shading normal allows may lead into the surface: no light comes from there.
-  wanted = wanted && dot(direction, surface.geometric) > 0.0;
+  // A direction that the shading normal allows may lead below the triangle. Where the ray starts
+  // above it, it may still pass its edge; otherwise it meets the triangle again, from the same side.
   return PathRay(leaveSurface(surface.position, surface.geometric, surface.error_scale),
                  direction, record.throughput * fetchBaseColor(surface.material),
                  pdfLambert(local), wanted);

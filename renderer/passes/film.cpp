@@ -43,7 +43,6 @@ Film::Film(const gl::Device& device, int width, int height, std::size_t record_t
   checkSize(device, width, height);
   record = TargetPair(device, width, height, true, record_textures);
   radiance = TargetPair(device, width, height, !device.floatBlending());
-  mean = TargetPair(device, width, height);
   if (!canDrawLiveOnly(device)) return;
   stencil = gl::Stencil(device.gl(), *device.stencilForm(), width, height);
   record.attach(stencil);

@@ -1,4 +1,4 @@
-// The targets that a picture is made in.
+// The targets that a sample of a picture is made in.
 #pragma once
 
 #include <array>
@@ -34,12 +34,11 @@ struct Film {
   // Errors: usage, when the picture is larger than the device's textures.
   Film(const gl::Device& device, int width, int height, std::size_t record_textures = 1);
 
-  int width() const { return mean.front().width(); }
-  int height() const { return mean.front().height(); }
+  int width() const { return record.front().width(); }
+  int height() const { return record.front().height(); }
 
   TargetPair record;    // hit records of this bounce and of the next
   TargetPair radiance;  // of this sample; two only where the device cannot blend floats
-  TargetPair mean;      // mean of the samples so far; their number in the fourth channel
   gl::Stencil stencil;  // of record and radiance, where draws are limited to live paths
 };
 

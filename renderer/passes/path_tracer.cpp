@@ -12,6 +12,7 @@
 #include "renderer/passes/camera_uniforms.h"
 #include "renderer/passes/data_texture.h"
 #include "renderer/scene/effects_of.h"
+#include "shaders/layout.h"
 
 namespace glimt {
 namespace {
@@ -64,6 +65,7 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
       effects_(effectsOf(scene)),
       bounces_(settings.bounces),
       live_only_(settings.live_only && canDrawLiveOnly(device)),
+      accumulation_(device),
       camera_(scene.camera) {
   planStages();
   compile(progress);
@@ -78,6 +80,7 @@ void PathTracer::planStages() {
     stages_.push_back({Pass::light, bounce});
   }
   stages_.push_back({Pass::accumulate, 0});
+  if ((samples_ + 1) % SAMPLES_PER_BLOCK == 0) stages_.push_back({Pass::close_block, 0});
 }
 
 // Marking ended paths costs a draw and spares those that follow from them. It pays after the
@@ -98,7 +101,8 @@ void PathTracer::compile(const WorkProgress& progress) {
   const int gles = std::max(traversalNamed(traversal_).gles, record_.gles);
   const std::string vertex = composeVertexShader(gles);
   for (const Stage& stage : stages_) {
-    if (programs_.contains(keyOf(stage.pass))) continue;
+    const bool accumulates = stage.pass == Pass::accumulate || stage.pass == Pass::close_block;
+    if (accumulates || programs_.contains(keyOf(stage.pass))) continue;
     if (progress) progress(1);
     ShaderRequest request;
     request.pass = stage.pass;
@@ -129,12 +133,14 @@ void PathTracer::setCamera(const Camera& camera) {
 void PathTracer::resize(int width, int height) {
   if (width == film_.width() && height == film_.height()) return;
   film_ = Film(*device_, width, height, record_.samplers.size());
+  accumulation_.resize(width, height);
   restart();
 }
 
 void PathTracer::restart() {
-  film_.mean.clear();
+  accumulation_.clear();
   samples_ = 0;
+  planStages();
   stage_ = 0;
   row_ = 0;
   column_ = 0;
@@ -157,8 +163,8 @@ double PathTracer::drawTile(double pixels) {
     endStage(stage);
     stage_ = (stage_ + 1) % stages_.size();
     if (stage_ == 0) {
-      if (samples_ == 0) planStages();
       ++samples_;
+      planStages();
     }
   }
   return static_cast<double>(tile.width) * tile.height;
@@ -177,7 +183,6 @@ gl::Tile PathTracer::nextTile(double pixels) const {
 }
 
 void PathTracer::takeBackSample() {
-  film_.mean.swap();
   --samples_;
 }
 
@@ -191,17 +196,18 @@ void PathTracer::beginStage(const Stage& stage) {
 }
 
 void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
+  if (stage.pass == Pass::accumulate) {
+    accumulation_.add(film_.radiance.front().texture(), tile);
+    return;
+  }
+  if (stage.pass == Pass::close_block) {
+    accumulation_.closeBlock(tile);
+    return;
+  }
   gl::Program& program = this->program(stage.pass);
   program.use();
   program.set("uZero", Vec4(0));
   program.set("uPictureStep", 1.0f / Vec2(film_.width(), film_.height()));
-  if (stage.pass == Pass::accumulate) {
-    program.set("uRadiance", film_.radiance.front().texture());
-    program.set("uMean", film_.mean.front().texture());
-    film_.mean.back().bind();
-    device_->draw(tile);
-    return;
-  }
   scene_.bind(program);
   bindSamplePoint(program, stage);
   for (std::size_t i = 0; i < record_.samplers.size(); ++i)
@@ -228,7 +234,12 @@ void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
 
 void PathTracer::endStage(const Stage& stage) {
   if (stage.pass == Pass::accumulate) {
-    film_.mean.swap();
+    accumulation_.endSample();
+  } else if (stage.pass == Pass::close_block) {
+    // Before the block is forgotten it has to be part of the mean.
+    device_->gl().Finish();
+    gl::checkErrors(device_->gl(), "closing a block of samples");
+    accumulation_.endBlock();
   } else if (stage.pass == Pass::escape || stage.pass == Pass::light) {
     if (!device_->floatBlending()) film_.radiance.swap();
   } else {

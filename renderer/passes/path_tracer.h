@@ -8,6 +8,7 @@
 
 #include "renderer/gl/device.h"
 #include "renderer/gl/program.h"
+#include "renderer/passes/accumulation.h"
 #include "renderer/passes/film.h"
 #include "renderer/passes/sample_points.h"
 #include "renderer/passes/scene_textures.h"
@@ -63,11 +64,13 @@ class PathTracer {
   // GL fails; what was complete before stays so.
   double drawTile(double pixels);
 
-  // Right after the draw that completed a sample: as if it had not been drawn.
+  // Right after the draw that completed a sample: it is not counted. Pixels that have it keep it,
+  // each with its own number of samples.
   void takeBackSample();
 
   int samples() const { return samples_; }
   const Film& film() const { return film_; }
+  const Accumulation& accumulation() const { return accumulation_; }
   const SceneTextures& scene() const { return scene_; }
   const std::string& traversal() const { return traversal_; }  // the one in use
   const RayCounts& rays() const { return rays_; }
@@ -107,6 +110,7 @@ class PathTracer {
   std::map<ProgramKey, gl::Program> programs_;
   std::vector<Stage> stages_;
   Film film_;
+  Accumulation accumulation_;
   Camera camera_;
   std::vector<double>
       alive_;  // share of the paths that met a triangle, for each bounce; of the first sample

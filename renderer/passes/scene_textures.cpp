@@ -41,6 +41,17 @@ Vec2 encodeOctahedral(const Vec3& v) {
   return {std::copysign(1 - std::abs(p.y), v.x), std::copysign(1 - std::abs(p.x), v.y)};
 }
 
+// 1, or -1 where the normals point to the triangle's back. They say how the surface is curved;
+// which side is the front is the winding's to say, and some files wind the other way.
+float sideOfNormals(const Scene& scene, const Triangle& triangle) {
+  const Vec3& a = scene.positions[triangle.positions[0]];
+  const Vec3 geometric = glm::cross(scene.positions[triangle.positions[1]] - a,
+                                    scene.positions[triangle.positions[2]] - a);
+  Vec3 sum(0);
+  for (const std::uint32_t normal : triangle.normals) sum += scene.normals[normal];
+  return glm::dot(sum, geometric) < 0 ? -1.0f : 1.0f;
+}
+
 std::vector<Vec4> packNormals(const Scene& scene, const Bvh& bvh) {
   std::vector<Vec4> texels;
   texels.reserve(scene.triangles.size() * static_cast<std::size_t>(NORMAL_TEXELS));
@@ -50,17 +61,19 @@ std::vector<Vec4> packNormals(const Scene& scene, const Bvh& bvh) {
       texels.resize(texels.size() + static_cast<std::size_t>(NORMAL_TEXELS), Vec4(0));
       continue;
     }
-    texels.emplace_back(encodeOctahedral(scene.normals[triangle.normals[0]]),
-                        encodeOctahedral(scene.normals[triangle.normals[1]]));
-    texels.emplace_back(encodeOctahedral(scene.normals[triangle.normals[2]]), Vec2(1, 0));
+    const float side = sideOfNormals(scene, triangle);
+    texels.emplace_back(encodeOctahedral(side * scene.normals[triangle.normals[0]]),
+                        encodeOctahedral(side * scene.normals[triangle.normals[1]]));
+    texels.emplace_back(encodeOctahedral(side * scene.normals[triangle.normals[2]]), Vec2(1, 0));
   }
   return texels;
 }
 
 std::vector<Vec4> packMaterials(const Scene& scene, const LightTable& lights) {
   std::vector<Vec4> texels;
-  for (const Material& material : scene.materials) {
-    const float density = lightDensity(lights, material);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const Material& material = scene.materials[i];
+    const auto density = static_cast<float>(lights.densities[i]);
     texels.emplace_back(material.base_color, 0.0f);
     texels.emplace_back(material.emission, material.double_sided ? -density : density);
   }

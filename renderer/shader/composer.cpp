@@ -26,7 +26,8 @@ constexpr unsigned kLight = bit(Pass::light);
 constexpr unsigned kWholePath = bit(Pass::display) << 1;  // no pass; see composePathProbe
 constexpr unsigned kPaths = kCamera | kTrace | kLight | kWholePath;
 constexpr unsigned kBounces = kTrace | kLight | kWholePath;  // start from a hit record
-constexpr unsigned kArrivals = kLight | kWholePath;          // ask for the light at a hit
+constexpr unsigned kMeans = bit(Pass::accumulate) | bit(Pass::close_block) | bit(Pass::display);
+constexpr unsigned kArrivals = kLight | kWholePath;  // ask for the light at a hit
 
 struct Piece {
   const char* file;
@@ -44,7 +45,7 @@ constexpr const char* kRecordOutput = "*_record_output.glsl";
 // In the order in which they are put together: a file comes after those that it calls.
 const auto kPieces = std::to_array<Piece>({
     {"layout.h", kPaths, {}},
-    {"picture.glsl", kPaths | kEscape | bit(Pass::accumulate), {}},
+    {"picture.glsl", kPaths | kEscape | bit(Pass::accumulate) | bit(Pass::close_block), {}},
     {"constants.glsl", kPaths | kEscape, {}},
     {"sample_points.glsl", kPaths, {}},
     {"float_fields.glsl", kPaths | kEscape, {}},
@@ -60,6 +61,7 @@ const auto kPieces = std::to_array<Piece>({
     {"triangle_data.glsl", kPaths, {}},
     {"material_data.glsl", kBounces, {}},
     {"normal_data.glsl", kBounces, Effect::smooth_normals},
+    {"shadow_terminator.glsl", kBounces, Effect::smooth_normals},
     {"surface.glsl", kBounces, {}},
     {"traversal.glsl", kPaths, {}},
     {"node_data.glsl", kPaths, {}},
@@ -79,7 +81,9 @@ const auto kPieces = std::to_array<Piece>({
     {"light.glsl", kArrivals, {}},
     {"light_pass.glsl", kLight, {}},
     {"whole_path.glsl", kWholePath, {}},
+    {"sample_mean.glsl", kMeans, {}},
     {"accumulate.glsl", bit(Pass::accumulate), {}},
+    {"close_block.glsl", bit(Pass::close_block), {}},
     {"display_transform.glsl", bit(Pass::display), {}},
     {"display.glsl", bit(Pass::display), {}},
 });
@@ -135,7 +139,8 @@ std::string pieces(unsigned pass, const EffectSet& effects, const std::string& t
 }  // namespace
 
 std::string nameOf(Pass pass) {
-  constexpr std::array kNames{"camera", "trace", "escape", "light", "accumulate", "display"};
+  constexpr std::array kNames{"camera",     "trace",       "escape", "light",
+                              "accumulate", "close block", "display"};
   return kNames[static_cast<std::size_t>(pass)];
 }
 

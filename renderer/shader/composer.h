@@ -10,14 +10,15 @@
 namespace glimt {
 
 enum class Pass {
-  camera,      // camera ray -> hit record
-  trace,       // hit record -> next hit record
-  escape,      // hit record that has left the scene -> radiance
-  light,       // hit record on a surface -> radiance
-  accumulate,  // radiance -> mean
-  display,     // mean -> display values
+  camera,       // camera ray -> hit record
+  trace,        // hit record -> next hit record
+  escape,       // hit record that has left the scene -> radiance
+  light,        // hit record on a surface -> radiance
+  accumulate,   // radiance -> sum of a block of samples
+  close_block,  // sum of a block -> mean
+  display,      // mean -> display values
 };
-inline constexpr std::size_t kPassCount = 6;
+inline constexpr std::size_t kPassCount = 7;
 
 struct ShaderRequest {
   Pass pass = Pass::display;
@@ -38,7 +39,7 @@ std::string composeVertexShader(int gles = 2);
 // Errors: usage, for a traversal or a record that does not exist.
 std::string composeFragmentShader(const ShaderRequest& request);
 
-// The same for a pass that depends on nothing but itself: accumulate, display.
+// The same for a pass that depends on nothing but itself: accumulate, close_block, display.
 std::string composeFragmentShader(Pass pass);
 
 // A fragment shader from the prelude, the named files and some text of the caller's own: for probes

@@ -36,7 +36,7 @@ std::vector<Vec4> picture(const TestContext& context, const Scene& scene, const 
   PathTracer tracer(context.device(), scene, settings);
   tracer.resize(kWidth, kHeight);
   while (tracer.samples() < 5) tracer.drawTile(512);
-  return tracer.film().mean.front().readFloats();
+  return tracer.accumulation().readMean();
 }
 
 double sumOf(const std::vector<Vec4>& texels) {
