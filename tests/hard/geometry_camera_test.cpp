@@ -18,18 +18,19 @@ constexpr int kBounces = 3;
 
 // Of a picture in the closed cube of tests/image/scenes.h, half of whose light is reflected: what
 // its mean is off what it has to be, relative.
-double furnaceError(const Vec3& position, const Vec3& target) {
+double furnaceError(const Vec3& position, const Vec3& target, float vertical_fov = 80) {
   Scene scene = furnace(0.5f);
   scene.camera.position = position;
   scene.camera.target = target;
-  const Image image = hardPicture(scene, slowDriver() ? 16 : 48, kBounces, slowDriver() ? 16 : 64);
+  scene.camera.vertical_fov = vertical_fov;
+  const Image image = hardPicture(scene, slowDriver() ? 8 : 48, kBounces, slowDriver() ? 8 : 64);
   return std::abs(brightnessOf(image) / furnaceRadiance(0.5, kBounces) - 1);
 }
 
 // Three standard errors of 147,000 samples, or 4,096 on slow drivers, that are off by half the
 // mean.
 double bound() {
-  return slowDriver() ? 0.023 : 0.004;
+  return slowDriver() ? 0.066 : 0.004;
 }
 
 Scene ball() {
@@ -48,7 +49,7 @@ TEST_CASE("a camera in, on and close to a wall sees what is before it") {
               furnaceError(Vec3(0.3f, -0.2f, 0.9f), middle), bound());
   checkAtMost("geometry", "camera on a wall", what, furnaceError(Vec3(0.3f, -0.2f, 1), middle),
               bound());
-  checkAtMost("geometry", "camera in a corner", what, furnaceError(Vec3(1), middle), bound());
+  checkAtMost("geometry", "camera in a corner", what, furnaceError(Vec3(1), middle, 30), bound());
   checkAtMost("geometry", "camera 1e-6 before a wall", what,
               furnaceError(Vec3(0.3f, -0.2f, 1 - 1e-6f), middle), bound());
   checkAtMost("geometry", "camera 1e-6 before a wall that it looks at", what,
@@ -60,14 +61,17 @@ TEST_CASE("the narrowest and the widest views show what is there") {
   scene.camera.position = Vec3(0, 0, 3);
   scene.camera.vertical_fov = 0.01f;
   const int size = slowDriver() ? 16 : 48;
-  checkAtMost("geometry", "field of view of 0.01 degrees",
-              "mean difference from the albedo, relative",
-              std::abs(brightnessOf(hardPicture(scene, size, 1, 16)) / 0.8 - 1), 0.002);
+  checkAtMost(
+      "geometry", "field of view of 0.01 degrees", "mean difference from the albedo, relative",
+      std::abs(brightnessOf(hardPicture(scene, slowDriver() ? 8 : 48, 1, slowDriver() ? 4 : 16)) /
+                   0.8 -
+               1),
+      0.002);
 
   // The ball covers a disk of radius tan(asin(1 / 3)) in a square of half side tan(85 degrees).
   const double disk = std::acos(-1.0) / 8 / std::pow(2 * std::tan(std::acos(-1.0) * 85 / 180), 2);
   scene.camera.vertical_fov = 170;
-  const double mean = brightnessOf(hardPicture(scene, size, 1, 64));
+  const double mean = brightnessOf(hardPicture(scene, size, 1, slowDriver() ? 32 : 64));
   checkAtMost("geometry", "field of view of 170 degrees", "what the ball takes, relative",
               std::abs((1 - mean) / (0.2 * disk) - 1), 0.1);
 }
@@ -77,7 +81,7 @@ TEST_CASE("a camera that looks along its up sees what is there") {
     Scene scene = ball();
     scene.camera.position = Vec3(0, -3 * way, 0);
     scene.camera.vertical_fov = 20;
-    const Image image = hardPicture(scene, 32, 1, 16);
+    const Image image = hardPicture(scene, slowDriver() ? 8 : 32, 1, slowDriver() ? 4 : 16);
     checkAtMost("geometry", way > 0 ? "looking straight up" : "looking straight down",
                 "mean difference from the albedo, relative",
                 std::abs(brightnessOf(image) / 0.8 - 1), 0.002);

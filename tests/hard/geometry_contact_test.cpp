@@ -12,7 +12,7 @@ using namespace glimt::test;
 namespace {
 
 int size() {
-  return slowDriver() ? 16 : 64;
+  return slowDriver() ? 8 : 64;
 }
 
 Image insideOf(const Scene& scene) {
@@ -32,7 +32,7 @@ TEST_CASE("walls that are there twice give the picture of walls that are there o
   Scene twice = once;
   for (const Triangle& triangle : once.triangles)
     if (once.materials[triangle.material].emission == Vec3(0)) twice.triangles.push_back(triangle);
-  const int samples = slowDriver() ? 4 : 32;
+  const int samples = slowDriver() ? 2 : 32;
   const Image expected = hardPicture(once, size(), 4, samples);
   // The paths are the same, but for those that a different tree sends another way at an edge.
   checkAtMost("geometry", "every wall twice", "mean difference from once, relative",

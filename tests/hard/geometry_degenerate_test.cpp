@@ -13,7 +13,7 @@ using namespace glimt::test;
 namespace {
 
 Image pictureOf(const Scene& scene) {
-  return hardPicture(scene, slowDriver() ? 16 : 48, 2, slowDriver() ? 2 : 8);
+  return hardPicture(scene, slowDriver() ? 8 : 48, 2, slowDriver() ? 2 : 8);
 }
 
 // A point, a line, a corner that comes twice.

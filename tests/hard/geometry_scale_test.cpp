@@ -17,11 +17,11 @@ using namespace glimt::test;
 namespace {
 
 int size() {
-  return slowDriver() ? 24 : 64;
+  return slowDriver() ? 16 : 64;
 }
 
 int samples() {
-  return slowDriver() ? 4 : 16;
+  return slowDriver() ? 2 : 16;
 }
 
 Image pictureOf(const Scene& scene) {
@@ -30,18 +30,20 @@ Image pictureOf(const Scene& scene) {
 
 // The same random numbers give the same paths, but for those that an edge sends another way. Few
 // do: an edge is uncertain by 1e-7 of the scene, and a pixel is 1e-2 of it. One path that meets the
-// light where it did not moves the mean by 17 / 65,536 of about 0.5, or four times that on slow
+// light where it did not moves the mean of about 0.5 by 17 / 65,536, or by 17 / 512 on slow
 // drivers.
-constexpr double kMean = 0.002;
+double meanBound() {
+  return slowDriver() ? 0.07 : 0.002;
+}
 
-// And that of a block of 8 x 8 pixels by 17 / 1024 of 0.5; on slow drivers by 17 / 256.
+// And that of a block of 8 x 8 pixels by 17 / 1024, or by 17 / 128.
 double blockBound() {
-  return slowDriver() ? 0.15 : 0.05;
+  return slowDriver() ? 0.3 : 0.05;
 }
 
 void compare(const std::string& name, const Image& image, const Image& expected) {
   checkAtMost("geometry", name, "mean difference, relative", meanDifference(image, expected),
-              kMean);
+              meanBound());
   checkAtMost("geometry", name, "worst block of 8 x 8, part of the mean",
               worstBlockDifference(image, expected, 8), blockBound());
 }
@@ -117,5 +119,5 @@ TEST_CASE("a scene that is far from the origin in floats gives about the same pi
   const Image expected = pictureOf(scene);
   const Image image = pictureOf(transformed(scene, 1, 2e3f * Vec3(1, -0.7f, 0.3f)));
   checkAtMost("geometry", "box 1000 times its size away, in floats", "mean difference, relative",
-              meanDifference(image, expected), 0.01);
+              meanDifference(image, expected), slowDriver() ? 0.07 : 0.01);
 }
