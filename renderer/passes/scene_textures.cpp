@@ -7,6 +7,7 @@
 
 #include "renderer/bvh/node_layout.h"
 #include "renderer/core/error.h"
+#include "renderer/passes/corner_order.h"
 #include "renderer/passes/data_texture.h"
 #include "renderer/passes/light_table.h"
 #include "shaders/layout.h"
@@ -19,9 +20,10 @@ std::vector<Vec4> packTriangles(const Scene& scene, const Bvh& bvh) {
   texels.reserve(scene.triangles.size() * static_cast<std::size_t>(TRIANGLE_TEXELS));
   for (const std::uint32_t index : bvh.order) {
     const Triangle& triangle = scene.triangles[index];
-    const Vec3& v0 = scene.positions[triangle.positions[0]];
-    const Vec3& v1 = scene.positions[triangle.positions[1]];
-    const Vec3& v2 = scene.positions[triangle.positions[2]];
+    const auto [first, second, third] = cornerOrder(scene, triangle);
+    const Vec3& v0 = scene.positions[triangle.positions[first]];
+    const Vec3& v1 = scene.positions[triangle.positions[second]];
+    const Vec3& v2 = scene.positions[triangle.positions[third]];
     texels.emplace_back(v0, 1.0f + static_cast<float>(triangle.material));
     texels.emplace_back(v1, static_cast<float>(areaOf(scene, triangle)));
     texels.emplace_back(v2, 0.0f);
@@ -62,9 +64,11 @@ std::vector<Vec4> packNormals(const Scene& scene, const Bvh& bvh) {
       continue;
     }
     const float side = sideOfNormals(scene, triangle);
-    texels.emplace_back(encodeOctahedral(side * scene.normals[triangle.normals[0]]),
-                        encodeOctahedral(side * scene.normals[triangle.normals[1]]));
-    texels.emplace_back(encodeOctahedral(side * scene.normals[triangle.normals[2]]), Vec2(1, 0));
+    const auto [first, second, third] = cornerOrder(scene, triangle);
+    texels.emplace_back(encodeOctahedral(side * scene.normals[triangle.normals[first]]),
+                        encodeOctahedral(side * scene.normals[triangle.normals[second]]));
+    texels.emplace_back(encodeOctahedral(side * scene.normals[triangle.normals[third]]),
+                        Vec2(1, 0));
   }
   return texels;
 }

@@ -144,18 +144,23 @@ std::optional<std::string> JsonFields::text(const char* key) const {
 }
 
 std::optional<Vec3> JsonFields::vector(const char* key, const Range& each) const {
+  const std::optional<glm::dvec3> value = point(key, each);
+  return value ? std::optional<Vec3>(*value) : std::nullopt;
+}
+
+std::optional<glm::dvec3> JsonFields::point(const char* key, const Range& each) const {
   const json* value = find(key);
   if (value == nullptr) return {};
   const std::string what = fmt::format("an array of three, each {}", each.words);
   if (!value->is_array() || value->size() != 3) reject(key, what);
-  Vec3 out{0};
+  glm::dvec3 out{0};
   for (int i = 0; i < 3; ++i) {
     const json& element = (*value)[static_cast<std::size_t>(i)];
     if (!inRange(element, each)) {
       fail(file_, fmt::format("{}[{}] must be {}, not {}", nameOf(key), i, each.words,
                               described(element)));
     }
-    out[i] = element.get<float>();
+    out[i] = element.get<double>();
   }
   return out;
 }

@@ -39,6 +39,7 @@ class JsonFields {
   std::optional<bool> boolean(const char* key) const;
   std::optional<std::string> text(const char* key) const;
   std::optional<Vec3> vector(const char* key, const Range& each) const;
+  std::optional<glm::dvec3> point(const char* key, const Range& each) const;
   std::optional<std::array<int, 2>> integers(const char* key, const Range& each) const;
   const nlohmann::json* object(const char* key) const;
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 #include "renderer/core/error.h"
@@ -141,6 +142,29 @@ std::vector<std::uint32_t> resolveMaterials(const ObjMesh& mesh, const fs::path&
   return resolved;
 }
 
+// The centre of the model's box, where the box is so far from the file's origin that floats would
+// lose four bits or more of its details; else that origin.
+glm::dvec3 originOf(const ObjMesh& mesh) {
+  constexpr double kFar = 16;  // of the model's size
+  glm::dvec3 low(HUGE_VAL);
+  glm::dvec3 high(-HUGE_VAL);
+  for (const ObjMesh::Corner& corner : mesh.corners) {
+    const glm::dvec3& position = mesh.positions[corner.position];
+    if (!std::isfinite(position.x + position.y + position.z)) continue;
+    low = glm::min(low, position);
+    high = glm::max(high, position);
+  }
+  const glm::dvec3 center = 0.5 * low + 0.5 * high;
+  return glm::length(center) > kFar * glm::distance(low, high) ? center : glm::dvec3(0);
+}
+
+void placeVertices(const ObjMesh& mesh, Scene& scene) {
+  scene.origin = originOf(mesh);
+  scene.positions.reserve(mesh.positions.size());
+  for (const glm::dvec3& position : mesh.positions)
+    scene.positions.emplace_back(position - scene.origin);
+}
+
 // How many faces had to be left as they are not.
 struct FaceFlaws {
   std::size_t too_few_corners = 0;
@@ -153,7 +177,7 @@ void addFace(const ObjMesh& mesh, const ObjMesh::Face& face, std::uint32_t mater
   std::vector<Vec3> points;
   bool normals_in_range = true;
   for (std::uint32_t i = 0; i < face.corner_count; ++i) {
-    points.push_back(mesh.positions[corners[i].position]);
+    points.push_back(scene.positions[corners[i].position]);
     const std::uint32_t normal = corners[i].normal;
     normals_in_range = normals_in_range && (normal == kNoIndex || normal < mesh.normals.size());
   }
@@ -199,6 +223,7 @@ Scene readObjFile(const fs::path& path) {
 
   Scene scene;
   scene.name = path.stem().string();
+  placeVertices(mesh, scene);
   const std::vector<std::uint32_t> materials = resolveMaterials(mesh, path.parent_path(), scene);
   std::optional<std::uint32_t> without_material;
   FaceFlaws flaws;
@@ -211,7 +236,6 @@ Scene readObjFile(const fs::path& path) {
         face.material == kNoIndex ? *without_material : materials[face.material];
     addFace(mesh, face, material, scene, flaws);
   }
-  scene.positions = mesh.positions;
   scene.normals = mesh.normals;
   if (flaws.too_few_corners > 0) {
     scene.warnings.push_back(fmt::format("dropped {} of less than three corners",

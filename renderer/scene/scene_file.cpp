@@ -23,6 +23,8 @@ constexpr double kLargestFloat = std::numeric_limits<float>::max();
 
 constexpr Range kCoordinate = {-kLargestCoordinate, kLargestCoordinate,
                                "a number of metres between -1e8 and 1e8"};
+// Of the file, whose model may be far from its origin; load_scene.cpp asks for less.
+constexpr Range kPlace = {-1e15, 1e15, "a number of metres between -1e15 and 1e15"};
 constexpr Range kFinite = {-kLargestFloat, kLargestFloat, "a number"};
 constexpr Range kPositive = {0, kLargestFloat, "a number that is not negative"};
 constexpr Range kUnit = {0, 1, "a number between 0 and 1"};
@@ -34,8 +36,8 @@ constexpr Range kExposure = {-100, 100, "a number between -100 and 100"};
 
 CameraSettings readCamera(const JsonFields& fields) {
   CameraSettings camera;
-  camera.position = fields.vector("position", kCoordinate);
-  camera.target = fields.vector("target", kCoordinate);
+  camera.position = fields.point("position", kPlace);
+  camera.target = fields.point("target", kPlace);
   camera.up = fields.vector("up", kCoordinate);
   camera.vertical_fov = fields.number("vertical_fov", kFov);
   if (camera.up == Vec3(0)) fields.reject("up", "a direction");

@@ -1,4 +1,6 @@
 // The *.scene.json.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "renderer/core/image_file.h"
@@ -108,6 +110,22 @@ TEST_CASE("looking straight up or down works without saying where up is") {
   const Scene along =
       folder.load(R"("camera": {"position": [0, 0, 9], "target": [0, 0, 0], "up": [0, 0, 3]})");
   CHECK(along.camera.up == Vec3(0, 1, 0));
+}
+
+TEST_CASE("the camera is in the coordinates of the model's file, far from their origin too") {
+  const TemporaryFolder folder;
+  folder.write("model.obj", "v 4e7 0 0\nv 40000001 0 0\nv 4e7 1 0\nf 1 2 3\n");
+  const auto load = [&](const char* camera) {
+    return loadScene(folder.write(
+        "far.scene.json", fmt::format(R"({{"model": "model.obj", "camera": {{{}}}}})", camera)));
+  };
+  const Scene scene = load(R"("position": [40000000.25, 0.5, 3], "target": [40000000.25, 0.5, 0])");
+  CHECK(scene.origin == glm::dvec3(40000000.5, 0.5, 0));
+  CHECK(scene.camera.position == Vec3(-0.25f, 0, 3));
+  CHECK(scene.camera.target == Vec3(-0.25f, 0, 0));
+  CHECK_THAT(messageOf(ErrorKind::input, [&] { load(R"("position": [-4e8, 0, 0])"); }),
+             Catch::EndsWith("camera.position is farther than 100,000 km from the model; move it "
+                             "closer"));
 }
 
 TEST_CASE("a camera that is where it looks, or without an up, is an error") {
