@@ -43,6 +43,9 @@ std::vector<std::string> environmentWith(const std::vector<std::string>& setting
   dup2(nowhere, STDIN_FILENO);
   dup2(nowhere, STDOUT_FILENO);
   dup2(error_file, STDERR_FILENO);
+  const auto seconds = static_cast<rlim_t>(limits.seconds);
+  const rlimit computing{seconds, seconds + 1};
+  setrlimit(RLIMIT_CPU, &computing);
   if (limits.file_bytes >= 0) {
     const auto bytes = static_cast<rlim_t>(limits.file_bytes);
     const rlimit limit{bytes, bytes};
@@ -50,6 +53,10 @@ std::vector<std::string> environmentWith(const std::vector<std::string>& setting
   }
   execve(command[0], command, environment);
   _exit(127);
+}
+
+double secondsOf(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
 std::vector<std::string> linesOf(std::FILE* file) {
@@ -89,16 +96,17 @@ RunResult runLimited(const std::vector<std::string>& command, const RunLimits& l
   int status = 0;
   rusage usage{};
   while (wait4(child, &status, WNOHANG, &usage) == 0) {
-    if (!result.out_of_time && Clock::now() - start > std::chrono::seconds(limits.seconds)) {
+    if (!result.out_of_time && Clock::now() - start > std::chrono::seconds(10 * limits.seconds)) {
       result.out_of_time = true;
       kill(child, SIGKILL);
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
-  result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  result.seconds = secondsOf(usage.ru_utime) + secondsOf(usage.ru_stime);
   result.peak_bytes = std::int64_t{1024} * usage.ru_maxrss;
   if (WIFEXITED(status)) result.status = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
+  result.out_of_time = result.out_of_time || result.signal == SIGXCPU;
   result.lines = linesOf(errors.get());
   return result;
 }

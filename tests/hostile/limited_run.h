@@ -8,7 +8,7 @@
 namespace glimt {
 
 struct RunLimits {
-  int seconds = 20;
+  int seconds = 20;              // of computing; ten times as many may pass, on a busy machine
   std::int64_t file_bytes = -1;  // largest file that may be written; negative: any
 };
 
@@ -16,7 +16,7 @@ struct RunResult {
   int status = -1;  // of the exit; -1 when a signal ended it
   int signal = 0;
   bool out_of_time = false;
-  double seconds = 0;
+  double seconds = 0;              // of computing, on all cores together
   std::int64_t peak_bytes = 0;     // largest resident memory
   std::vector<std::string> lines;  // of standard error
 };

@@ -27,7 +27,8 @@ const std::vector<std::string> kRendering = {};
 
 std::string faultOfRun(const RunResult& run) {
   const std::string last = run.lines.empty() ? "" : ": " + run.lines.back();
-  if (run.out_of_time) return fmt::format("took more than {} s", kLimits.seconds);
+  if (run.out_of_time)
+    return fmt::format("took more than {} s, or did nothing for long", kLimits.seconds);
   if (run.signal != 0) return fmt::format("ended by signal {}{}", run.signal, last);
   if (run.peak_bytes > kMostMemory) {
     return fmt::format("took {} MiB of memory", run.peak_bytes >> 20);
