@@ -153,7 +153,7 @@ TEST_CASE("materials of nonsense values") {
     for (const char* key : {"Kd", "Ke", "Ks", "Ns", "Ni", "d", "Tr", "illum", "Pr", "map_Kd"}) {
       mtl += std::string(key) + ' ' + value + '\n';
     }
-    files.judge("x.mtl", mtl);
+    files.judge("nonsense.mtl", mtl);
   }
 }
 
