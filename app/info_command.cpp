@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/json_output.h"
 #include "renderer/core/bounds.h"
+#include "renderer/core/wording.h"
 #include "renderer/scene/effects_of.h"
 #include "renderer/scene/load_scene.h"
 
@@ -123,16 +124,23 @@ class Table {
   std::string text_;
 };
 
+// Files may name anything, at any length.
+std::string shownName(const Material& material) {
+  return printable(std::string_view(material.name).substr(0, 60));
+}
+
 void addMaterials(Table& table, const Scene& scene) {
   const std::vector<std::size_t> counts = trianglesByMaterial(scene);
   table.row("materials", fmt::format("{}", scene.materials.size()));
   std::size_t width = 0;
-  for (const Material& material : scene.materials) width = std::max(width, material.name.size());
+  for (const Material& material : scene.materials) {
+    width = std::max(width, shownName(material).size());
+  }
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const Material& material = scene.materials[i];
     const std::string light =
         material.emission == Vec3(0) ? "" : ", emits " + textOf(material.emission);
-    table.row("", fmt::format("{:<{}}  {:>8} triangles, colour {}{}", material.name, width,
+    table.row("", fmt::format("{:<{}}  {:>8} triangles, colour {}{}", shownName(material), width,
                               counts[i], textOf(material.base_color), light));
   }
 }
@@ -154,7 +162,7 @@ std::string textOf(const Scene& scene) {
   const Lights lights = lightsOf(scene);
   const Camera& camera = scene.camera;
   Table table;
-  table.row("name", scene.name);
+  table.row("name", printable(scene.name));
   table.row("triangles", fmt::format("{}", scene.triangles.size()));
   table.row("vertices", fmt::format("{}", scene.positions.size()));
   table.row("bounds", fmt::format("{} to {}, size {} m", placeText(scene, bounds.min),

@@ -7,13 +7,23 @@
 #include <charconv>
 #include <cmath>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "renderer/core/error.h"
+#include "renderer/core/wording.h"
 #include "renderer/scene/obj_lines.h"
 #include "renderer/scene/scene.h"
 
 namespace glimt {
 namespace {
+
+// A byte of text can take some twenty of memory: these bound it to less than 2 GiB, and are several
+// times what the renderer's textures take.
+constexpr std::size_t kMostFaces = 1 << 23;
+constexpr std::size_t kMostCorners = 1 << 25;
+constexpr std::size_t kMostVertices = 1 << 24;
+// Names are longer than numbers, and few.
+constexpr std::size_t kMostNames = 1 << 16;
 
 std::string_view takeWord(std::string_view& text) {
   text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
@@ -72,7 +82,8 @@ class Collector : public tinyobj::MaterialReader {
     takeWord(rest);
     rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
     std::vector<std::string>& libraries = mesh_.material_libraries;
-    if (std::find(libraries.begin(), libraries.end(), rest) == libraries.end()) {
+    if (is_library_.insert(std::string(rest)).second) {
+      demandFewer(libraries.size(), kMostNames, "material files");
       libraries.emplace_back(rest);
     }
     return true;
@@ -81,6 +92,11 @@ class Collector : public tinyobj::MaterialReader {
  private:
   [[noreturn]] void fail(const std::string& what) const {
     throw Error(ErrorKind::input, fmt::format("{}:{}: {}", path_, lines_.number(), what));
+  }
+
+  void demandFewer(std::size_t count, std::size_t most, const char* what) const {
+    if (count < most) return;
+    fail(fmt::format("more than {} {}; use a coarser model", grouped(most), what));
   }
 
   // The line's three numbers, NaN for each that is none.
@@ -97,10 +113,14 @@ class Collector : public tinyobj::MaterialReader {
     for (int i = 0; i < 4; ++i) {
       if (takeWord(rest).empty()) fail("a vertex needs three numbers; export the model again");
     }
+    demandFewer(mesh_.positions.size(), kMostVertices, "vertices");
     mesh_.positions.push_back(vectorOfLine());
   }
 
-  void addNormal() { mesh_.normals.emplace_back(vectorOfLine()); }
+  void addNormal() {
+    demandFewer(mesh_.normals.size(), kMostVertices, "normals");
+    mesh_.normals.emplace_back(vectorOfLine());
+  }
 
   // From OBJ's count, which begins at 1 and runs backwards when negative.
   std::uint32_t indexOf(int number, std::size_t count, const char* what) const {
@@ -118,6 +138,8 @@ class Collector : public tinyobj::MaterialReader {
   }
 
   void addFace(const tinyobj::index_t* corners, int count) {
+    demandFewer(mesh_.faces.size(), kMostFaces, "faces");
+    demandFewer(mesh_.corners.size() + static_cast<std::size_t>(count), kMostCorners, "corners");
     ObjMesh::Face face{};
     face.first_corner = mesh_.corners.size();
     face.corner_count = static_cast<std::uint32_t>(count);
@@ -139,7 +161,10 @@ class Collector : public tinyobj::MaterialReader {
     name.remove_prefix(std::min(name.find_first_not_of(" \t"), name.size()));
     const auto next = static_cast<std::uint32_t>(mesh_.material_names.size());
     const auto [entry, is_new] = material_of_name_.try_emplace(std::string(name), next);
-    if (is_new) mesh_.material_names.emplace_back(name);
+    if (is_new) {
+      demandFewer(next, kMostNames, "materials");
+      mesh_.material_names.emplace_back(name);
+    }
     material_ = entry->second;
   }
 
@@ -148,6 +173,7 @@ class Collector : public tinyobj::MaterialReader {
   ObjMesh mesh_;
   std::uint32_t material_ = kNoIndex;
   std::unordered_map<std::string, std::uint32_t> material_of_name_;
+  std::unordered_set<std::string> is_library_;
 };
 
 }  // namespace

@@ -205,6 +205,12 @@ TEST_CASE("a scene file that is no JSON object with a model is an error, with th
     return messageOf(ErrorKind::input, [&] { loadScene(folder.write("bad.scene.json", text)); });
   };
   CHECK_THAT(error("{\n\"model\": \"model.obj\",\n}\n"), Catch::Contains("bad.scene.json:3: "));
+  CHECK_THAT(error("{\n\"model\": \"model.obj\",\n\"camera\": {\n\"fov\": 1}}"),
+             Catch::Contains("bad.scene.json:4: unknown key \"fov\" in camera"));
+  CHECK_THAT(error("{\"model\": \"model.obj\",\n\"render\":\n{\"bounces\":\n-1}}"),
+             Catch::Contains("bad.scene.json:3: render.bounces must be"));
+  CHECK_THAT(error("{\n\"model\": \"model.obj\",\n\"camera\": 7}"),
+             Catch::Contains("bad.scene.json:3: camera must be"));
   CHECK_THAT(error(""), Catch::Contains("no valid JSON"));
   CHECK_THAT(error("{\"model\": \"\xff\xfe\"}"), Catch::Contains("no valid JSON"));
   CHECK_THAT(error(std::string("{\0}", 3)), Catch::Contains("no valid JSON"));
