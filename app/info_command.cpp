@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "app/json_output.h"
 #include "renderer/core/bounds.h"
+#include "renderer/core/wording.h"
 #include "renderer/scene/effects_of.h"
 #include "renderer/scene/load_scene.h"
 
@@ -15,6 +16,16 @@ struct Lights {
   std::size_t triangles = 0;
   double area = 0;  // square metres, of one side
 };
+
+// Of a place in the coordinates of the scene's file. Where the scene is far from their origin, with
+// as many digits as its floats and their distance from there call for.
+Json placeJson(const Scene& scene, const Vec3& place) {
+  if (scene.origin == glm::dvec3(0)) return jsonOf(place);
+  const glm::dvec3 p = scene.origin + glm::dvec3(place);
+  Json json = Json::array();
+  for (int axis = 0; axis < 3; ++axis) json.push_back(Json::parse(fmt::format("{:.12g}", p[axis])));
+  return json;
+}
 
 Bounds boundsOf(const Scene& scene) {
   Bounds bounds;
@@ -70,29 +81,36 @@ Json reportOf(const InfoOptions& options, const Scene& scene) {
   const Bounds bounds = boundsOf(scene);
   const Lights lights = lightsOf(scene);
   const Camera& camera = scene.camera;
-  return {{"scene", options.scene.string()},
-          {"name", scene.name},
-          {"triangles", scene.triangles.size()},
-          {"vertices", scene.positions.size()},
-          {"materials", materialsOf(scene)},
-          {"bounds", {{"min", jsonOf(bounds.min)}, {"max", jsonOf(bounds.max)}}},
-          {"camera",
-           {{"position", jsonOf(camera.position)},
-            {"target", jsonOf(camera.target)},
-            {"up", jsonOf(camera.up)},
-            {"vertical_fov", jsonOf(camera.vertical_fov)}}},
-          {"environment",
-           {{"color", jsonOf(scene.environment.color)},
-            {"strength", jsonOf(scene.environment.strength)}}},
-          {"lights", {{"triangles", lights.triangles}, {"area", lights.area}}},
-          {"effects", effectsOnAndOff(scene)},
-          {"warnings", scene.warnings}};
+  return {
+      {"scene", options.scene.string()},
+      {"name", scene.name},
+      {"triangles", scene.triangles.size()},
+      {"vertices", scene.positions.size()},
+      {"materials", materialsOf(scene)},
+      {"bounds", {{"min", placeJson(scene, bounds.min)}, {"max", placeJson(scene, bounds.max)}}},
+      {"camera",
+       {{"position", placeJson(scene, camera.position)},
+        {"target", placeJson(scene, camera.target)},
+        {"up", jsonOf(camera.up)},
+        {"vertical_fov", jsonOf(camera.vertical_fov)}}},
+      {"environment",
+       {{"color", jsonOf(scene.environment.color)},
+        {"strength", jsonOf(scene.environment.strength)}}},
+      {"lights", {{"triangles", lights.triangles}, {"area", lights.area}}},
+      {"effects", effectsOnAndOff(scene)},
+      {"warnings", scene.warnings}};
 }
 
 // --- The same for people ---------------------------------------------------------------------
 
 std::string textOf(const Vec3& v) {
   return fmt::format("({:.5g}, {:.5g}, {:.5g})", v.x, v.y, v.z);
+}
+
+std::string placeText(const Scene& scene, const Vec3& place) {
+  if (scene.origin == glm::dvec3(0)) return textOf(place);
+  const glm::dvec3 p = scene.origin + glm::dvec3(place);
+  return fmt::format("({:.12g}, {:.12g}, {:.12g})", p.x, p.y, p.z);
 }
 
 class Table {
@@ -106,16 +124,23 @@ class Table {
   std::string text_;
 };
 
+// Files may name anything, at any length.
+std::string shownName(const Material& material) {
+  return printable(std::string_view(material.name).substr(0, 60));
+}
+
 void addMaterials(Table& table, const Scene& scene) {
   const std::vector<std::size_t> counts = trianglesByMaterial(scene);
   table.row("materials", fmt::format("{}", scene.materials.size()));
   std::size_t width = 0;
-  for (const Material& material : scene.materials) width = std::max(width, material.name.size());
+  for (const Material& material : scene.materials) {
+    width = std::max(width, shownName(material).size());
+  }
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const Material& material = scene.materials[i];
     const std::string light =
         material.emission == Vec3(0) ? "" : ", emits " + textOf(material.emission);
-    table.row("", fmt::format("{:<{}}  {:>8} triangles, colour {}{}", material.name, width,
+    table.row("", fmt::format("{:<{}}  {:>8} triangles, colour {}{}", shownName(material), width,
                               counts[i], textOf(material.base_color), light));
   }
 }
@@ -137,14 +162,15 @@ std::string textOf(const Scene& scene) {
   const Lights lights = lightsOf(scene);
   const Camera& camera = scene.camera;
   Table table;
-  table.row("name", scene.name);
+  table.row("name", printable(scene.name));
   table.row("triangles", fmt::format("{}", scene.triangles.size()));
   table.row("vertices", fmt::format("{}", scene.positions.size()));
-  table.row("bounds", fmt::format("{} to {}, size {} m", textOf(bounds.min), textOf(bounds.max),
-                                  textOf(bounds.size())));
+  table.row("bounds", fmt::format("{} to {}, size {} m", placeText(scene, bounds.min),
+                                  placeText(scene, bounds.max), textOf(bounds.size())));
   table.row("camera",
-            fmt::format("at {}, looks at {}, up {}, {:.5g} degrees high", textOf(camera.position),
-                        textOf(camera.target), textOf(camera.up), camera.vertical_fov));
+            fmt::format("at {}, looks at {}, up {}, {:.5g} degrees high",
+                        placeText(scene, camera.position), placeText(scene, camera.target),
+                        textOf(camera.up), camera.vertical_fov));
   table.row("environment", "radiance " + textOf(scene.environment.radiance()));
   table.row("lights", fmt::format("{} triangles, {:.5g} m^2", lights.triangles, lights.area));
   addMaterials(table, scene);

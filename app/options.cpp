@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/parse.h"
 #include "renderer/core/error.h"
+#include "renderer/scene/framing.h"
 
 namespace glimt {
 namespace {
@@ -55,7 +56,7 @@ void addCamera(CLI::App& command, CameraOptions& camera) {
     camera.target = parseVector("--target", text);
   })->excludes(name);
   add(command, "--up", "X,Y,Z", "The camera's upward direction", [&](const std::string& text) {
-    camera.up = parseVector("--up", text);
+    camera.up = Vec3(parseVector("--up", text));
   })->excludes(name);
   add(command, "--fov", "DEG", "Degrees over the picture's height", [&](const std::string& text) {
     camera.vertical_fov = static_cast<float>(parseNumberBetween("--fov", text, 0, 180));
@@ -148,9 +149,8 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
   addPicture(command, options.picture);
   addBackend(command, options.backend);
   add(command, "--record", "packed|wide", "How hits are stored (packed)",
-      [](const std::string& text) {
-        if (parseChoice("--record", text, {"packed", "wide"}) == "packed") return;
-        throw Error(ErrorKind::usage, "--record wide is not in this version; use packed");
+      [&](const std::string& text) {
+        options.picture.record = parseChoice("--record", text, {"packed", "wide"});
       });
   addJson(command, options.json);
   command.add_flag("--quiet", options.quiet, "Say nothing but errors");
@@ -212,9 +212,9 @@ Camera cameraOf(const CameraOptions& options, const Scene& scene) {
                                               options.name));
   }
   Camera camera = scene.camera;
-  camera.position = options.eye.value_or(camera.position);
-  camera.target = options.target.value_or(camera.target);
-  camera.up = options.up.value_or(camera.up);
+  if (options.eye) camera.position = Vec3(*options.eye - scene.origin);
+  if (options.target) camera.target = Vec3(*options.target - scene.origin);
+  camera.up = options.up ? *options.up : usableUp(camera);
   camera.vertical_fov = options.vertical_fov.value_or(camera.vertical_fov);
 
   const Vec3 forward = camera.target - camera.position;
@@ -237,6 +237,7 @@ RenderSettings settingsOf(const PictureOptions& options, const Scene& scene) {
   settings.bounces = options.bounces.value_or(scene.render.bounces.value_or(4));
   settings.seed = options.seed;
   settings.traversal = options.traversal;
+  settings.record = options.record;
   return settings;
 }
 

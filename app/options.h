@@ -19,8 +19,8 @@ namespace glimt {
 // Single parts of the scene's camera, replaced.
 struct CameraOptions {
   std::string name;
-  std::optional<Vec3> eye;
-  std::optional<Vec3> target;
+  std::optional<glm::dvec3> eye;  // in the coordinates of the scene's file, as `target`
+  std::optional<glm::dvec3> target;
   std::optional<Vec3> up;
   std::optional<float> vertical_fov;  // degrees
 };
@@ -32,6 +32,7 @@ struct PictureOptions {
   std::optional<float> exposure;  // EV
   std::uint32_t seed = 0;
   std::string traversal = "auto";
+  std::string record = "packed";
   int gles = 2;
 };
 

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "renderer/core/error.h"
+#include "renderer/core/file.h"
 
 namespace glimt {
 namespace {
@@ -15,13 +16,15 @@ namespace fs = std::filesystem;
 
 std::string faultOf(const fs::path& file) {
   std::error_code ignored;
+  const fs::path target = outputTarget(file);
   const fs::file_status status = fs::status(file, ignored);
   if (fs::is_directory(status)) return "it is a folder; name a file in it";
   if (fs::exists(status) && access(file.c_str(), W_OK) != 0) return "it is write-protected";
   // A regular file is replaced by a new one in its folder; a pipe or a device is written to.
   if (fs::exists(status) && !fs::is_regular_file(status)) return {};
-
-  const fs::path target = fs::exists(status) ? fs::canonical(file, ignored) : file;
+  if (fs::is_symlink(target, ignored)) {
+    return fs::exists(status) ? "" : "it is a link that leads nowhere";
+  }
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   const std::string name = folder.string();
   if (!fs::exists(folder, ignored)) {

@@ -79,8 +79,8 @@ std::array<int, 2> parseSize(const std::string& option, const std::string& text)
   reject(option, text, fmt::format("WIDTHxHEIGHT, each from 1 to {}", kLargestSide));
 }
 
-Vec3 parseVector(const std::string& option, const std::string& text) {
-  Vec3 vector{0};
+glm::dvec3 parseVector(const std::string& option, const std::string& text) {
+  glm::dvec3 vector{0};
   std::string_view rest = text;
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t end = axis < 2 ? rest.find(',') : rest.size();
@@ -89,7 +89,7 @@ Vec3 parseVector(const std::string& option, const std::string& text) {
     if (!value || std::abs(*value) > std::numeric_limits<float>::max()) {
       reject(option, text, "X,Y,Z");
     }
-    vector[axis] = static_cast<float>(*value);
+    vector[axis] = *value;
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
   return vector;

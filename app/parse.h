@@ -24,7 +24,7 @@ double parseNumberBetween(const std::string& option, const std::string& text, do
 std::array<int, 2> parseSize(const std::string& option, const std::string& text);
 
 // "X,Y,Z".
-Vec3 parseVector(const std::string& option, const std::string& text);
+glm::dvec3 parseVector(const std::string& option, const std::string& text);
 
 // One of `choices`.
 std::string parseChoice(const std::string& option, const std::string& text,

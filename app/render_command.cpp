@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <optional>
 
 #include "app/commands.h"
 #include "app/interrupt.h"
@@ -10,6 +11,7 @@
 #include "app/render_report.h"
 #include "app/sampling.h"
 #include "app/stopwatch.h"
+#include "renderer/core/display_transform.h"
 #include "renderer/core/error.h"
 #include "renderer/core/image_file.h"
 #include "renderer/core/wording.h"
@@ -21,6 +23,15 @@ namespace {
 
 constexpr int kDefaultSamples = 256;
 
+std::string failureOf(const Sampling& sampling) {
+  const int saved = sampling.picture.samples;
+  const std::string later = sampling.samples > saved
+                                ? fmt::format(", without the last {}", sampling.samples - saved)
+                                : "";
+  return fmt::format("{}; the picture so far is saved, {}{}", sampling.failure,
+                     counted(static_cast<std::uintmax_t>(saved), "sample"), later);
+}
+
 class RenderCommand {
  public:
   explicit RenderCommand(const RenderOptions& options)
@@ -31,15 +42,15 @@ class RenderCommand {
  private:
   void checkOutputs() const;
   Scene load();
-  void render(Renderer& renderer);
+  Sampling render(Renderer& renderer);
   std::string lossesOf(Renderer& renderer) const;
-  void writePictures(Renderer& renderer, float exposure) const;
+  void writePictures(const Picture& picture, float exposure) const;
   void warn(const std::string& what);
   void endIfInterrupted() const;
 
   const RenderOptions& options_;
   Stopwatch clock_;
-  Interrupt interrupt_;
+  std::optional<Interrupt> interrupt_;
   Progress progress_;
   RenderReport report_;
 };
@@ -48,21 +59,24 @@ void RenderCommand::run() {
   checkOutputs();
   const Scene scene = load();
   report_.settings = settingsOf(options_.picture, scene);
-  endIfInterrupted();
+  // Until here, where there is nothing to be saved, a signal may end the program as it does any.
+  interrupt_.emplace();
 
   progress_.show("starting GL");
   ContextHandle context = createOffscreenContext(options_.backend, options_.picture.gles);
   report_.context = context.info();
+  endIfInterrupted();
   progress_.show("building the tree");
   Renderer renderer(context, scene, report_.settings, [this](float fraction) {
     endIfInterrupted();
     showTree(progress_, fraction);
   });
-  render(renderer);
+  const Sampling sampling = render(renderer);
 
-  writePictures(renderer, exposureOf(options_.picture, scene));
+  writePictures(sampling.picture, exposureOf(options_.picture, scene));
   report_.total = clock_.seconds();
   writeJson(options_.json, jsonOf(report_));
+  if (!sampling.failure.empty()) throw Error(ErrorKind::failed, failureOf(sampling));
   if (!options_.quiet) sayPlain(summaryOf(report_));
 }
 
@@ -88,40 +102,50 @@ Scene RenderCommand::load() {
   return scene;
 }
 
-void RenderCommand::render(Renderer& renderer) {
+Sampling RenderCommand::render(Renderer& renderer) {
   Limits limits{options_.samples, options_.seconds};
   if (!limits.samples && !limits.seconds) limits.samples = kDefaultSamples;
   const double before = clock_.seconds();
-  const Sampling sampling = sampleUntil(renderer, limits, interrupt_, progress_);
+  Sampling sampling = sampleUntil(renderer, limits, *interrupt_, progress_);
   progress_.clear();
   if (sampling.samples == 0) endIfInterrupted();
 
   report_.statistics = renderer.statistics();
-  report_.samples = sampling.samples;
+  report_.samples = sampling.picture.samples;
   report_.first_sample = before + sampling.first_sample;
   report_.render = sampling.seconds;
-  report_.nonfinite_pixels = renderer.nonfinitePixels();
+  report_.nonfinite_pixels = sampling.picture.nonfinite_pixels;
   if (sampling.interrupted) warn("interrupted after " + counted(report_.samples, "sample"));
-  if (report_.nonfinite_pixels > 0) warn(lossesOf(renderer));
+  if (!sampling.failure.empty()) {
+    report_.warnings.push_back(failureOf(sampling));
+  } else if (report_.nonfinite_pixels > 0) {
+    warn(lossesOf(renderer));
+  }
+  return sampling;
 }
 
 // The driver's loop limit is measured only where it may be what cut rays short.
 std::string RenderCommand::lossesOf(Renderer& renderer) const {
-  const Losses last = renderer.lastLosses();
-  const bool by_values = last.not_finite > 0 && last.cut_short == 0;
-  const auto loop_limit = by_values ? std::nullopt : renderer.loopLimit();
+  Losses last;
+  std::optional<std::uint32_t> loop_limit;
+  try {
+    last = renderer.lastLosses();
+    const bool by_values = last.not_finite > 0 && last.cut_short == 0;
+    if (!by_values) loop_limit = renderer.loopLimit();
+  } catch (const Error&) {  // GL fails, but the picture is there already
+  }
   return warningOf(report_.nonfinite_pixels, last, loop_limit);
 }
 
 // A file that cannot be written does not keep the others from being written.
-void RenderCommand::writePictures(Renderer& renderer, float exposure) const {
+void RenderCommand::writePictures(const Picture& picture, float exposure) const {
   std::exception_ptr first_error;
   for (const auto& output : options_.outputs) {
     try {
       if (imageFormatOf(output) == ImageFormat::png) {
-        writeDisplayImage(output, renderer.display(exposure));
+        writeDisplayImage(output, displayImage(picture.radiance, exposure));
       } else {
-        writeImage(output, renderer.radiance());
+        writeImage(output, picture.radiance);
       }
     } catch (const Error&) {
       if (!first_error) first_error = std::current_exception();
@@ -138,7 +162,7 @@ void RenderCommand::warn(const std::string& what) {
 }
 
 void RenderCommand::endIfInterrupted() const {
-  if (!interrupt_.requested()) return;
+  if (!interrupt_->requested()) return;
   throw Error(ErrorKind::failed, "interrupted before the first sample; nothing was written");
 }
 

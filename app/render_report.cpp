@@ -68,7 +68,7 @@ Json jsonOf(const RenderReport& report) {
           {"gles", report.context.gles},
           {"traversal", report.statistics.traversal},
           {"traversal_seconds", traversalSecondsOf(report)},
-          {"record", "packed"},
+          {"record", report.settings.record},
           {"triangles", report.statistics.triangles},
           {"effects", report.effects},
           {"seconds", secondsOf(report)},

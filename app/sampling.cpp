@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <limits>
+#include <new>
 #include <string>
 
+#include "app/safe_picture.h"
 #include "app/stopwatch.h"
 
 namespace glimt {
@@ -41,12 +44,14 @@ std::string describe(const Limits& limits, const Sampling& done) {
                      done.samples / done.seconds, duration(secondsLeft(limits, done)));
 }
 
-}  // namespace
+std::string describe(const std::exception& error) {
+  return dynamic_cast<const std::bad_alloc*>(&error) ? "out of memory" : error.what();
+}
 
-Sampling sampleUntil(Renderer& renderer, const Limits& limits, const Interrupt& interrupt,
-                     Progress& progress) {
+// Samples until a limit is met or the user has had enough.
+void sample(Renderer& renderer, const Limits& limits, const Interrupt& interrupt,
+            Progress& progress, SafePicture& safe, Sampling& done) {
   const Stopwatch clock;
-  Sampling done;
   while (!met(limits, done)) {
     done.interrupted = interrupt.requested();
     if (done.interrupted) break;
@@ -56,7 +61,26 @@ Sampling sampleUntil(Renderer& renderer, const Limits& limits, const Interrupt& 
     if (done.samples == 0) done.first_sample = done.seconds;
     done.samples = renderer.samples();
     if (progress.due()) progress.show(describe(limits, done));
+    safe.keepWhenDue();
   }
+  safe.keep();
+}
+
+}  // namespace
+
+Sampling sampleUntil(Renderer& renderer, const Limits& limits, const Interrupt& interrupt,
+                     Progress& progress, double seconds_at_risk) {
+  Sampling done;
+  SafePicture safe(renderer, seconds_at_risk);
+  try {
+    sample(renderer, limits, interrupt, progress, safe, done);
+  } catch (const std::exception& error) {
+    safe.rescue();
+    if (safe.get().samples == 0) throw;
+    done.samples = renderer.samples();
+    done.failure = describe(error);
+  }
+  done.picture = safe.get();
   return done;
 }
 

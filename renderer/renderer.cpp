@@ -9,6 +9,8 @@
 #include "renderer/core/error.h"
 #include "renderer/core/wording.h"
 #include "renderer/gl/context.h"
+#include "renderer/gl/errors.h"
+#include "renderer/gl/float_target.h"
 #include "renderer/passes/path_tracer.h"
 #include "renderer/passes/traversal_trial.h"
 #include "renderer/probes/loop_turns.h"
@@ -64,7 +66,8 @@ class Renderer::State {
         const WorkProgress& progress)
       : device(deviceFor(context, settings.traversal, scene.triangles.size())),
         triangles(scene.triangles.size()),
-        tracer(device, scene, {settings.bounces, settings.seed, settings.traversal}, progress),
+        tracer(device, scene,
+               {settings.bounces, settings.seed, settings.traversal, settings.record}, progress),
         trial(tracer.candidates()) {
     tracer.resize(settings.width, settings.height);
   }
@@ -73,8 +76,7 @@ class Renderer::State {
   void drawTile() {
     double& cost = seconds_per_pixel_[static_cast<std::size_t>(tracer.nextPass())];
     const double start = now();
-    const double pixels = tracer.drawTile(kDrawSeconds / cost);
-    device.gl().Finish();
+    const double pixels = drawChecked(kDrawSeconds / cost);
     const double seconds = now() - start;
     sample_seconds_ += seconds;
     // Half of the last: later bounces of the same pass have fewer paths, and the next sample begins
@@ -96,10 +98,18 @@ class Renderer::State {
                        composeFragmentShader(Pass::display));
     display_->use();
     display_->set("uZero", Vec4(0));
-    display_->set("uMean", tracer.film().mean.front().texture());
+    tracer.accumulation().bind(*display_);
     display_->set("uDisplaySize", Vec2(width, height));
     display_->set("uExposureScale", std::exp2(exposure));
     device.draw({0, 0, width, height});
+  }
+
+  // After a draw has failed. A lost context takes every call and does nothing, and not every driver
+  // says so: what shows is that it cannot draw either.
+  void demandReadable() const {
+    if (!failed_ || tryFloatTarget(device.gl(), device.floatForm()) == gl::FloatTarget::exact)
+      return;
+    throw Error(ErrorKind::failed, "the picture cannot be read back from a context that is lost");
   }
 
   gl::Device device;
@@ -114,7 +124,23 @@ class Renderer::State {
     sample_seconds_ = 0;
   }
 
+  // A sample that the failing draw completed is not complete.
+  double drawChecked(double most_pixels) {
+    const int before = tracer.samples();
+    try {
+      const double pixels = tracer.drawTile(most_pixels);
+      device.gl().Finish();
+      gl::checkErrors(device.gl(), "finishing a draw");
+      return pixels;
+    } catch (const Error&) {
+      failed_ = true;
+      if (tracer.samples() > before) tracer.takeBackSample();
+      throw;
+    }
+  }
+
   std::optional<gl::Program> display_;
+  bool failed_ = false;
   // For each pass; at first a guess that is slow enough.
   std::array<double, kPassCount> seconds_per_pixel_ = filled(kDrawSeconds / 16384);
   double sample_seconds_ = 0;  // spent on the sample that is being drawn
@@ -154,28 +180,34 @@ int Renderer::samples() const {
   return state_->tracer.samples();
 }
 
-Image Renderer::radiance() {
-  const gl::Target& mean = state_->tracer.film().mean.front();
-  const std::vector<Vec4> texels = mean.readFloats();
-  Image image{mean.width(), mean.height(), {}};
+Picture Renderer::picture() {
+  state_->demandReadable();
+  const Film& film = state_->tracer.film();
+  const std::vector<Vec4> texels = state_->tracer.accumulation().readMean();
+  Picture picture{{film.width(), film.height(), {}}, samples(), 0};
+  const auto count = static_cast<float>(picture.samples);
+  picture.nonfinite_pixels = static_cast<int>(std::count_if(
+      texels.begin(), texels.end(), [&](const Vec4& texel) { return texel.a < count; }));
+  Image& image = picture.radiance;
   image.pixels.reserve(texels.size());
   for (int y = image.height - 1; y >= 0; --y)  // GL's rows begin at the bottom
     for (int x = 0; x < image.width; ++x)
       image.pixels.emplace_back(texels[static_cast<std::size_t>(y) * image.width + x]);
-  return image;
+  return picture;
+}
+
+Image Renderer::radiance() {
+  return picture().radiance;
 }
 
 int Renderer::nonfinitePixels() {
-  const std::vector<Vec4> texels = state_->tracer.film().mean.front().readFloats();
-  const auto samples = static_cast<float>(state_->tracer.samples());
-  return static_cast<int>(std::count_if(texels.begin(), texels.end(),
-                                        [&](const Vec4& texel) { return texel.a < samples; }));
+  return picture().nonfinite_pixels;
 }
 
 Losses Renderer::lastLosses() {
   Losses losses;
   for (const Vec4& texel : state_->tracer.film().radiance.front().readFloats()) {
-    // As light.glsl marks them, and as accumulate.glsl asks.
+    // As light.glsl marks them, and as sample_mean.glsl asks.
     const bool marked = std::min({texel.r, texel.g, texel.b}) < 0;
     const bool good = texel.r + texel.g + texel.b <= 1e30f;
     losses.cut_short += marked;

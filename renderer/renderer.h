@@ -59,6 +59,7 @@ struct RenderSettings {
   // give the same one, too.
   std::uint32_t seed = 0;
   std::string traversal = "auto";  // the likeliest to be fast; after two seconds, the fastest
+  std::string record = "packed";   // how hits are kept: "packed", or "wide", which needs ES 3.0
 };
 
 struct RenderStatistics {
@@ -82,14 +83,22 @@ struct Losses {
   int not_finite = 0;  // the sample was not a number, or not a possible one
 };
 
+// On the CPU, out of reach of what happens to the context.
+struct Picture {
+  Image radiance;  // the mean; pixels without a sample are black
+  int samples = 0;
+  int nonfinite_pixels = 0;  // that have lost a sample, see nonfinitePixels()
+};
+
 class Renderer {
  public:
   // Builds the tree, uploads the scene and compiles the programs that the scene calls for. The
   // context is current and outlives the renderer. `progress` is told how far the tree is, which
-  // takes seconds for millions of triangles; compiling follows.
-  // Errors: usage for an unknown traversal, input for a scene larger than the device's textures or,
-  // with traversal "linear", with more triangles than a loop makes turns on this device, no_gl
-  // where the device has no float target, failed for a shader that does not compile.
+  // takes seconds for millions of triangles, and 1 again before each shader is compiled.
+  // Errors: usage for an unknown traversal or record, or one that the context lacks, input for a
+  // scene larger than the device's textures or, with traversal "linear", with more triangles than a
+  // loop makes turns on this device, no_gl where the device has no float target, failed for a
+  // shader that does not compile and where GL is out of memory or loses the context.
   Renderer(ContextHandle& context, const Scene& scene, const RenderSettings& settings,
            const WorkProgress& progress = {});
   Renderer(Renderer&&) noexcept;
@@ -100,7 +109,9 @@ class Renderer {
   void setCamera(const Camera& camera);
   void resize(int width, int height);
 
-  // Adds one sample to every pixel.
+  // Adds one sample to every pixel. Errors, here and in advance(): failed, when GL is out of
+  // memory, loses the context or notes another error. The complete samples stay, and picture()
+  // hands them out where the context still can.
   void renderSample();
 
   // Works for about `seconds`, in draws that are each much shorter, and leaves the rest of a sample
@@ -110,8 +121,9 @@ class Renderer {
   // Complete samples in the picture.
   int samples() const;
 
-  // The mean so far. Pixels without a sample are black.
-  Image radiance();
+  // The complete samples so far. Errors: failed, when the context is lost.
+  Picture picture();
+  Image radiance();  // of it
 
   // Pixels that have lost a sample to a value that was not finite, or to a traversal cut short.
   int nonfinitePixels();

@@ -1,20 +1,16 @@
-// The accumulation pass: the running mean of the samples of each pixel, and how many they are. A
-// sample that is not finite, or not known, leaves both as they were.
+// The accumulation pass: radiance to the sum of the samples of this block, by blending, or where
+// the device cannot blend floats by reading what is there. A sample that is not finite, or not known,
+// leaves the sum and its count as they were.
 uniform sampler2D uRadiance;
-uniform sampler2D uMean;
-
-// NaN fails every comparison, so the test asks for what is good.
-bool isGood(vec3 radiance) {
-  float least = min(radiance.r, min(radiance.g, radiance.b));
-  float sum = radiance.r + radiance.g + radiance.b;
-  return least >= 0.0 && sum <= 1.0e30;
-}
+#if !ADDITIVE_BLENDING
+uniform sampler2D uBlock;
+#endif
 
 void main() {
   vec2 at = pictureAddress(pixelCenter());
-  vec3 radiance = texture2D(uRadiance, at).rgb;
-  vec4 mean = texture2D(uMean, at);
-  float count = mean.a + 1.0;
-  vec4 next = vec4(mean.rgb + (radiance - mean.rgb) / count, count);
-  writeTexel(isGood(radiance) ? next : mean);
+  vec4 sum = sampleForBlock(texture2D(uRadiance, at).rgb);
+#if !ADDITIVE_BLENDING
+  sum += texture2D(uBlock, at);
+#endif
+  writeTexel(sum);
 }

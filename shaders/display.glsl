@@ -1,9 +1,11 @@
 // The display pass: the picture as a display shows it.
 uniform sampler2D uMean;
+uniform sampler2D uBlock;
 uniform vec2 uDisplaySize;
 uniform float uExposureScale;
 
 void main() {
-  vec3 radiance = texture2D(uMean, pixelCenter() / uDisplaySize).rgb;
+  vec2 at = pixelCenter() / uDisplaySize;
+  vec3 radiance = meanWithBlock(texture2D(uMean, at), texture2D(uBlock, at)).rgb;
   writeTexel(vec4(displayTransform(radiance, uExposureScale), 1.0));
 }

@@ -56,5 +56,9 @@
 // Lights, an alias table; see light_table.glsl. One texel each:
 //   share of the entry that goes to its own triangle, index of that, index of the other one, free
 
+// Samples that are summed before they become part of the mean: enough that the mean is updated
+// seldom, few enough that the sum is exact to 3e-6. See sample_mean.glsl.
+#define SAMPLES_PER_BLOCK 128
+
 // Side of the square texture of sampling offsets, which is repeated over the picture.
 #define OFFSETS_SIZE 256.0

@@ -20,20 +20,19 @@ vec3 reflectedRadiance(HitRecord record, Surface surface, vec4 random, bool want
                        float last) {
   vec3 origin = leaveSurface(surface.position, surface.geometric, surface.error_scale);
   Frame frame = frameAround(surface.normal);
-  LightSample light = sampleLight(frame, origin, random);
+  LightSample light = sampleLight(surface, frame, origin, random);
   vec3 wo = outgoing(frame, record.direction);
   vec3 wi = toFrame(frame, light.direction);
   Bsdf bsdf = fetchBsdf(surface, wo);
-  float side = dot(light.direction, surface.geometric);
 #if ROUGH_GLASS
-  wanted = wanted && side * wi.z > 0.0;
-  if (side < 0.0) {
-    vec3 below = leaveSurface(surface.position, -surface.geometric, surface.error_scale);
-    light.to += origin - below;
-    origin = below;
+  if (wi.z < 0.0) {
+    vec3 behind = passSurface(surface);
+    light.to += origin - behind;
+    origin = behind;
+    wanted = wanted && dot(light.direction, surface.geometric) < 0.0;
   }
 #else
-  wanted = wanted && min(side, wi.z) > 0.0;
+  wanted = wanted && wi.z > 0.0;
 #endif
   wanted = wanted && light.possible && spreads(bsdf);
   float visible = visibility(origin, light.to, light.far, wanted);

@@ -1,10 +1,9 @@
 // The light pass: hit record to radiance.
-uniform sampler2D uRecord;
 uniform float uLastSurface;  // see light.glsl
 
 void main() {
   vec2 pixel = pixelCenter();
-  vec4 texel = texture2D(uRecord, pictureAddress(pixel));
-  addRadiance(radianceOf(decodeHitRecord(texel), isEnded(texel), samplePoint(pixel), uLastSurface),
-              pixel);
+  HitRecord record;
+  bool live = readRecord(pixel, record);
+  addRadiance(radianceOf(record, !live, samplePoint(pixel), uLastSurface), pixel);
 }

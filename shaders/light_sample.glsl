@@ -9,12 +9,14 @@ struct LightSample {
 };
 
 #if TRIANGLE_LIGHTS
-LightSample sampleTriangleLight(vec3 origin, float choice, vec2 random) {
+// The light arrives at the surface itself: the shadow ray starts a little above it, from where light
+// that grazes the surface would seem to come at another angle.
+LightSample sampleTriangleLight(Surface surface, vec3 origin, float choice, vec2 random) {
   TriangleData data = fetchTriangle(chooseLight(choice));
   Emission emission = fetchEmission(data.material);
   vec3 normal = normalize(cross(data.v1 - data.v0, data.v2 - data.v0));
   vec3 point = interpolate(data.v0, data.v1, data.v2, sampleTriangle(random));
-  vec3 to = point - origin;
+  vec3 to = point - surface.position;
   float distance2 = max(dot(to, to), 1.0e-30);
   vec3 direction = to * inversesqrt(distance2);
   float cosine = -dot(direction, normal);
@@ -34,8 +36,8 @@ LightSample sampleEnvironmentLight(Frame frame, vec4 random) {
 #endif
 
 #if TRIANGLE_LIGHTS && ENVIRONMENT
-LightSample sampleLight(Frame frame, vec3 origin, vec4 random) {
-  LightSample triangle = sampleTriangleLight(origin, random.z, random.xy);
+LightSample sampleLight(Surface surface, Frame frame, vec3 origin, vec4 random) {
+  LightSample triangle = sampleTriangleLight(surface, origin, random.z, random.xy);
   bool to_sky = random.w < uEnvironmentShare;
   float left = to_sky ? random.w / uEnvironmentShare : 0.0;
   LightSample sky = sampleEnvironmentLight(frame, vec4(random.xyz, left));
@@ -45,11 +47,11 @@ LightSample sampleLight(Frame frame, vec3 origin, vec4 random) {
   return triangle;
 }
 #elif TRIANGLE_LIGHTS
-LightSample sampleLight(Frame frame, vec3 origin, vec4 random) {
-  return sampleTriangleLight(origin, random.z, random.xy);
+LightSample sampleLight(Surface surface, Frame frame, vec3 origin, vec4 random) {
+  return sampleTriangleLight(surface, origin, random.z, random.xy);
 }
 #elif ENVIRONMENT
-LightSample sampleLight(Frame frame, vec3 origin, vec4 random) {
+LightSample sampleLight(Surface surface, Frame frame, vec3 origin, vec4 random) {
   return sampleEnvironmentLight(frame, random);
 }
 #endif

@@ -1,8 +1,9 @@
 // Where a ray that leaves a surface starts.
 
 // What the rounding errors of a triangle's points are in proportion to, in metres: its largest
-// coordinate, or more where it is so thin that its normal, and with it the distance of a point from
-// its plane, is inexact.
+// coordinate, or more where the two edges at vertex 0 are so nearly parallel that their cross product,
+// and with it the distance of a point from the plane, is inexact. Of a sliver whose vertex 0 is across
+// from its longest edge they are not, unless it is so obtuse that nothing else is left.
 float errorScale(vec3 v0, vec3 v1, vec3 v2) {
   vec3 largest = max(abs(v0), max(abs(v1), abs(v2)));
   vec3 a = v1 - v0;
@@ -10,8 +11,9 @@ float errorScale(vec3 v0, vec3 v1, vec3 v2) {
   vec3 c = v2 - v1;
   float longest2 = max(dot(a, a), max(dot(b, b), dot(c, c)));
   vec3 normal = cross(a, b);
-  float thinness = longest2 / max(sqrt(dot(normal, normal)), 1.0e-6 * longest2);
-  float inexact = 0.08 * thinness * sqrt(longest2);
+  float product = sqrt(dot(a, a) * dot(b, b));
+  float cancelled = product / max(sqrt(dot(normal, normal)), 1.0e-6 * product);
+  float inexact = 0.08 * cancelled * sqrt(longest2);
   return max(inexact, max(largest.x, max(largest.y, largest.z)));
 }
 

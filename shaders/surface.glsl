@@ -1,12 +1,13 @@
 // The surface that a hit record speaks of. Dispatches on the scene's effects.
 
 struct Surface {
-  vec3 position;
+  vec3 position;   // where rays leave from, and light arrives
   vec3 geometric;  // unit normal of the triangle, on the side where the path arrived
   vec3 normal;     // the same for shading
   float error_scale;
   float material;
   float back;      // 1 where the path arrived at the triangle's back side, else 0
+  float rise;      // of the position above the triangle; see shadow_terminator.glsl
 };
 
 // Where the path came from, in the frame of the shading normal: always above, also where that normal
@@ -16,14 +17,29 @@ vec3 outgoing(Frame frame, vec3 arrived) {
   return wo.z >= 1.0e-4 ? wo : normalize(vec3(wo.xy, 1.0e-4));
 }
 
+// Where a ray starts that goes through the triangle.
+vec3 passSurface(Surface surface) {
+  return leaveSurface(surface.position - surface.geometric * surface.rise, -surface.geometric,
+                      surface.error_scale);
+}
+
 Surface surfaceOf(HitRecord record) {
   TriangleData data = fetchTriangle(record.triangle);
   vec3 normal = normalize(cross(data.v1 - data.v0, data.v2 - data.v0));
   float side = 1.0 - 2.0 * record.back;
+  vec3 position = interpolate(data.v0, data.v1, data.v2, record.uv);
   vec3 shading = normal;
+  float rise = 0.0;
 #if SMOOTH_NORMALS
-  shading = fetchNormal(record.triangle, record.uv, normal);
+  VertexNormals normals = fetchNormals(record.triangle, normal);
+  shading = interpolatedNormal(normals, record.uv, normal);
+  vec3 geometric = side * normal;
+  vec3 rises = vec3(riseToTangent(position, data.v0, side * normals.n0, geometric),
+                    riseToTangent(position, data.v1, side * normals.n1, geometric),
+                    riseToTangent(position, data.v2, side * normals.n2, geometric));
+  rise = dot(rises, vec3(1.0 - record.uv.x - record.uv.y, record.uv));
+  position += geometric * rise;
 #endif
-  return Surface(interpolate(data.v0, data.v1, data.v2, record.uv), side * normal, side * shading,
-                 errorScale(data.v0, data.v1, data.v2), data.material, record.back);
+  return Surface(position, side * normal, side * shading, errorScale(data.v0, data.v1, data.v2),
+                 data.material, record.back, rise);
 }

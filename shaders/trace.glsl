@@ -24,12 +24,17 @@ PathRay scatteredRay(HitRecord record, bool ended, vec4 random) {
   vec3 wo = outgoing(frame, record.direction);
   BsdfSample bounce = sampleBsdf(fetchBsdf(surface, wo), wo, random.xyz);
   vec3 direction = fromFrame(frame, bounce.wi);
-  // A direction that is on one side for the shading normal may be on the other of the surface: no
-  // light comes from there.
-  vec3 side = bounce.wi.z < 0.0 ? -surface.geometric : surface.geometric;
-  wanted = wanted && dot(direction, side) > 0.0;
-  return PathRay(leaveSurface(surface.position, side, surface.error_scale), direction,
-                 record.throughput * bounce.weight, bounce.pdf, bounce.wi.z, bounce.random, wanted);
+  // A direction that the shading normal allows may lead below the triangle. Where the ray starts
+  // above it, it may still pass its edge; otherwise it meets the triangle again, from the same side.
+  vec3 origin = leaveSurface(surface.position, surface.geometric, surface.error_scale);
+#if GLASS || ROUGH_GLASS
+  if (bounce.wi.z < 0.0) {
+    origin = passSurface(surface);
+    wanted = wanted && dot(direction, surface.geometric) < 0.0;
+  }
+#endif
+  return PathRay(origin, direction, record.throughput * bounce.weight, bounce.pdf, bounce.wi.z,
+                 bounce.random, wanted);
 }
 
 // Weight of emission found by this ray against sampling it as a light.

@@ -1,5 +1,4 @@
 // The trace pass: one ray of every path. The camera pass is the same without a record to start from.
-uniform sampler2D uRecord;
 uniform float uDeltaOnly;  // 1: follows only what mirrors and glass send on, else 0
 
 void main() {
@@ -8,8 +7,9 @@ void main() {
 #if FROM_CAMERA
   PathRay ray = cameraRay(pixel, random);
 #else
-  vec4 texel = texture2D(uRecord, pictureAddress(pixel));
-  PathRay ray = scatteredRay(decodeHitRecord(texel), isEnded(texel), random);
+  HitRecord start;
+  bool live = readRecord(pixel, start);
+  PathRay ray = scatteredRay(start, !live, random);
 #endif
 #if (MIRROR || GLASS) && FROM_RECORD
   ray.wanted = ray.wanted && (uDeltaOnly < 0.5 || ray.pdf >= PDF_DELTA);
@@ -22,6 +22,5 @@ void main() {
   float weight = emissionWeight(ray, hit);
 #endif
   vec4 rounding = vec4(ray.random, random.w, lowBits(ray.random), lowBits(random.w));
-  vec4 record = encodeHitRecord(recordOf(ray, hit, weight), rounding);
-  writeTexel(goesOn(ray, hit) ? record : vec4(0.0));
+  writeRecord(recordOf(ray, hit, weight), goesOn(ray, hit), rounding);
 }

@@ -20,6 +20,17 @@ struct Hit {
   float area;      // square metres
 };
 
+// Whether a triangle that intersectTriangle found at `t` is in the ray's way. One that the camera
+// stands on is not. A ray that leaves a surface may be rounded onto another one, and does not get past.
+bool isInTheWay(float t) {
+#ifdef FROM_CAMERA
+#if FROM_CAMERA && !FROM_RECORD
+  return t > 0.0;
+#endif
+#endif
+  return t >= 0.0;
+}
+
 // Directions along an axis would multiply zero by infinity.
 vec3 inverseOf(vec3 direction) {
   vec3 side = vec3(direction.x < 0.0 ? -1.0 : 1.0, direction.y < 0.0 ? -1.0 : 1.0,

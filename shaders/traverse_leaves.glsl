@@ -12,7 +12,7 @@ Hit closestHit(vec3 origin, vec3 direction, bool wanted) {
     for (int k = 0; k < MAX_STEPS; k++) {
       TriangleData data = fetchTriangle(index);
       TriangleHit met = intersectTriangle(origin, direction, data.v0, data.v1, data.v2, hit.t);
-      if (met.t >= 0.0) hit = Hit(index, met.t, met.volumes, data.material, data.area);
+      if (isInTheWay(met.t)) hit = Hit(index, met.t, met.volumes, data.material, data.area);
       if (data.last) break;
       index += 1.0;
     }

@@ -10,7 +10,7 @@ Hit closestHit(vec3 origin, vec3 direction, bool wanted) {
     if (index >= count) break;
     TriangleData data = fetchTriangle(index);
     TriangleHit met = intersectTriangle(origin, direction, data.v0, data.v1, data.v2, hit.t);
-    if (met.t >= 0.0) hit = Hit(index, met.t, met.volumes, data.material, data.area);
+    if (isInTheWay(met.t)) hit = Hit(index, met.t, met.volumes, data.material, data.area);
     index += 1.0;
   }
   if (index < count) hit.triangle = TRIANGLE_UNKNOWN;

@@ -67,18 +67,18 @@ WholePathTracer::WholePathTracer(const gl::Device& device, const Scene& scene,
       paths_(device.gl(), form == PathForm::loop ? "loop" : "unrolled",
              composeVertexShader(traversalNamed(settings.traversal).gles),
              composePathProbe(effectsOf(scene), settings.traversal, pathText(surfaces_, form))),
-      accumulate_(device.gl(), nameOf(Pass::accumulate), composeVertexShader(),
-                  composeFragmentShader(Pass::accumulate)) {}
+      accumulation_(device) {}
 
 void WholePathTracer::resize(int width, int height) {
   radiance_ = gl::Target(gl::Texture::floats(device_->gl(), device_->floatForm(), width, height));
-  mean_ = TargetPair(*device_, width, height);
+  accumulation_.resize(width, height);
   samples_ = 0;
 }
 
 void WholePathTracer::drawSample() {
   drawPaths();
-  accumulate();
+  accumulation_.add(radiance_.texture(), {0, 0, radiance_.width(), radiance_.height()});
+  accumulation_.endSample();
   ++samples_;
 }
 
@@ -110,15 +110,6 @@ void WholePathTracer::drawPaths() {
   bindCamera(paths_, camera_, width, height);
   radiance_.bind();
   device_->draw({0, 0, width, height});
-}
-
-void WholePathTracer::accumulate() {
-  use(accumulate_);
-  accumulate_.set("uRadiance", radiance_.texture());
-  accumulate_.set("uMean", mean_.front().texture());
-  mean_.back().bind();
-  device_->draw({0, 0, radiance_.width(), radiance_.height()});
-  mean_.swap();
 }
 
 }  // namespace glimt

@@ -6,7 +6,7 @@
 
 #include "renderer/gl/device.h"
 #include "renderer/gl/program.h"
-#include "renderer/passes/film.h"
+#include "renderer/passes/accumulation.h"
 #include "renderer/passes/path_tracer.h"
 
 namespace glimt {
@@ -36,7 +36,6 @@ class WholePathTracer {
   void use(gl::Program& program) const;
   void bindSamplePoints();
   void drawPaths();
-  void accumulate();
 
   const gl::Device* device_;
   const SceneTextures* textures_;
@@ -45,9 +44,8 @@ class WholePathTracer {
   gl::Texture offsets_;
   Camera camera_;
   gl::Program paths_;
-  gl::Program accumulate_;
   gl::Target radiance_;
-  TargetPair mean_;
+  Accumulation accumulation_;
   std::uint32_t samples_ = 0;
 };
 

@@ -9,8 +9,9 @@
 
 namespace glimt {
 
-// No picture of more pixels is read: a file of a few bytes may claim any size.
-inline constexpr long long kMostPixels = 1LL << 27;
+// No picture of more pixels is read, since a file of a few bytes may claim any size: as much as
+// 16-bit PNGs and files of many channels can have within 2 GiB of memory.
+inline constexpr long long kMostPixels = 1LL << 26;
 
 // Throws Error input unless the size is sensible and the file is long enough to hold the pixels,
 // given how many pixels one byte can hold at most in its format.

@@ -15,6 +15,7 @@ namespace glimt {
 namespace {
 
 constexpr std::size_t kPadding = 1 << 16;
+constexpr long long kMostMemory = 1900LL << 20;
 
 [[noreturn]] void bad(const std::string& what) {
   throw Error(ErrorKind::input,
@@ -134,8 +135,11 @@ void demandPlausibleBlocks(const EXRHeader& header, long long width, long long h
   }
   // Each block has an offset, a position and a length.
   if (blocks > static_cast<long long>(bytes / 16)) bad("the EXR file ends too early");
-  if (width * height * header.num_channels > 4 * kMostPixels) {
-    bad("the EXR picture has too many pixels or channels");
+  // The file twice, all channels as floats, and the picture.
+  const long long memory =
+      2 * static_cast<long long>(bytes) + width * height * (4LL * header.num_channels + 12);
+  if (memory > kMostMemory) {
+    bad("the EXR picture needs more than 2 GiB of memory to be read");
   }
 }
 

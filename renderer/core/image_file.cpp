@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kLargestFile = 0x7fffffff;
+// A PFM of as many pixels as are read at most. With the picture beside it that is below 2 GiB.
+constexpr std::uintmax_t kLargestFile = 12 * static_cast<std::uintmax_t>(kMostPixels) + 4096;
 
 std::string lowerExtension(const fs::path& path) {
   std::string extension = path.extension().string();

@@ -9,6 +9,8 @@
 
 #include "renderer/core/error.h"
 #include "renderer/core/image_codecs.h"
+#include "renderer/core/png_data.h"
+#include "renderer/core/wording.h"
 
 namespace glimt {
 namespace {
@@ -41,12 +43,14 @@ Image decodePng(std::string_view bytes) {
   }
   // Deflate packs at most 1032 bytes into one, and PNG eight pixels into a byte.
   demandPlausibleSize(width, height, bytes.size(), 8 * 1032);
+  demandBoundedPngData(bytes);
   const std::unique_ptr<stbi_uc, void (*)(void*)> values(
       stbi_load_from_memory(data, static_cast<int>(bytes.size()), &width, &height, &channels, 3),
       stbi_image_free);
   if (!values) {
-    throw Error(ErrorKind::input,
-                fmt::format("damaged PNG picture ({}); write it again", stbi_failure_reason()));
+    throw Error(ErrorKind::input, fmt::format("damaged PNG picture ({}); write it again",
+                                              // which holds bytes of the file
+                                              printable(stbi_failure_reason())));
   }
   const std::array<float, 256> linear = linearOfSrgb();
   Image image{width, height, {}};

@@ -26,6 +26,19 @@ bool isSoftware(const std::string& renderer) {
                      [&](const char* name) { return renderer.find(name) != std::string::npos; });
 }
 
+// Extensions by which a context tells that it was lost, and the function under the name it has
+// there. Without the extension the name may well be found, but leads to nothing that works.
+struct ResetStatusForm {
+  const char* extension;
+  const char* function;
+};
+constexpr std::array kResetStatusForms{
+    ResetStatusForm{"GL_EXT_robustness", "glGetGraphicsResetStatusEXT"},
+    ResetStatusForm{"GL_KHR_robustness", "glGetGraphicsResetStatusKHR"},
+    ResetStatusForm{"GL_KHR_robustness", "glGetGraphicsResetStatus"},
+    ResetStatusForm{"GL_ARB_robustness", "glGetGraphicsResetStatusARB"},
+};
+
 }  // namespace
 
 void Context::initialize(const std::string& backend, int gles, const ProcLoader& loader) {
@@ -36,6 +49,12 @@ void Context::initialize(const std::string& backend, int gles, const ProcLoader&
   info_.gles = gles;
   info_.software = isSoftware(info_.renderer);
   extensions_ = fmt::format(" {} ", text(functions_, GL_EXTENSIONS));
+  for (const auto& [extension, function] : kResetStatusForms) {
+    if (functions_.GetGraphicsResetStatus) break;
+    if (hasExtension(extension))
+      functions_.GetGraphicsResetStatus =
+          reinterpret_cast<decltype(functions_.GetGraphicsResetStatus)>(loader(function));
+  }
 }
 
 bool Context::hasExtension(const std::string& name) const {

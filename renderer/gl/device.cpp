@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "renderer/core/error.h"
+#include "renderer/gl/errors.h"
 #include "renderer/gl/float_target.h"
 
 namespace glimt::gl {
@@ -10,11 +10,11 @@ namespace {
 
 FloatForm requireFloatForm(const Functions& gl) {
   const auto form = findFloatForm(gl, {FloatForm::sized, FloatForm::unsized});
-  if (!form)
-    throw Error(ErrorKind::no_gl,
-                "the context cannot draw into textures of 32-bit floats (RGBA32F); try another "
-                "driver or --backend");
-  return *form;
+  if (form) return *form;
+  checkErrors(gl, "trying float targets", ErrorKind::no_gl);
+  throw Error(ErrorKind::no_gl,
+              "the context cannot draw into textures of 32-bit floats (RGBA32F); try another "
+              "driver or --backend");
 }
 
 // One triangle that covers the viewport.
@@ -42,6 +42,7 @@ Device::Device(Context& context)
   float_blending_ = !es || context.hasExtension("GL_EXT_float_blend");
   gl_->PixelStorei(GL_PACK_ALIGNMENT, 1);
   gl_->BlendFunc(GL_ONE, GL_ONE);
+  checkErrors(*gl_, "preparing to draw", ErrorKind::no_gl);
 }
 
 void Device::draw(const Tile& tile, const DrawState& state) const {

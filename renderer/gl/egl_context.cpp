@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <cstring>
 #include <vector>
 
 #include "renderer/core/error.h"
@@ -18,6 +19,7 @@ struct Egl {
   SharedLibrary library{"libEGL.so.1"};
   decltype(&eglGetProcAddress) getProcAddress =
       require<decltype(&eglGetProcAddress)>("eglGetProcAddress");
+  decltype(&eglQueryString) queryString = require<decltype(&eglQueryString)>("eglQueryString");
   decltype(&eglGetError) getError = require<decltype(&eglGetError)>("eglGetError");
   decltype(&eglGetDisplay) getDisplay = require<decltype(&eglGetDisplay)>("eglGetDisplay");
   decltype(&eglInitialize) initialize = require<decltype(&eglInitialize)>("eglInitialize");
@@ -87,14 +89,26 @@ class EglContext final : public Context {
     EGLint count = 0;
     if (!egl_.chooseConfig(display_, wanted.data(), &config, 1, &count) || count == 0)
       egl_.fail("eglChooseConfig");
-    const std::array<EGLint, 3> version{EGL_CONTEXT_CLIENT_VERSION, gles, EGL_NONE};
-    context_ = egl_.createContext(display_, config, EGL_NO_CONTEXT, version.data());
-    if (context_ == EGL_NO_CONTEXT) egl_.fail("eglCreateContext");
+    createContext(config, gles);
     if (surface == Surface::pbuffer) {
       const std::array<EGLint, 5> size{EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};
       surface_ = egl_.createPbuffer(display_, config, size.data());
       if (surface_ == EGL_NO_SURFACE) egl_.fail("eglCreatePbufferSurface");
     }
+  }
+
+  // Where it can be had, one that tells when it is lost. It is not worth failing for.
+  void createContext(EGLConfig config, int gles) {
+    const std::array<EGLint, 5> telling{EGL_CONTEXT_CLIENT_VERSION, gles,
+                                        EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT,
+                                        EGL_LOSE_CONTEXT_ON_RESET_EXT, EGL_NONE};
+    const std::array<EGLint, 3> plain{EGL_CONTEXT_CLIENT_VERSION, gles, EGL_NONE};
+    const char* const extensions = egl_.queryString(display_, EGL_EXTENSIONS);
+    if (extensions && std::strstr(extensions, "EGL_EXT_create_context_robustness"))
+      context_ = egl_.createContext(display_, config, EGL_NO_CONTEXT, telling.data());
+    if (context_ == EGL_NO_CONTEXT)
+      context_ = egl_.createContext(display_, config, EGL_NO_CONTEXT, plain.data());
+    if (context_ == EGL_NO_CONTEXT) egl_.fail("eglCreateContext");
   }
 
   void destroy() {

@@ -1,7 +1,8 @@
-// The OpenGL ES 2.0 entry points that glimt calls, as a table filled by the context itself.
+// The OpenGL ES entry points that glimt calls, as a table filled by the context itself.
 #pragma once
 
 #include <GLES2/gl2.h>
+#include <GLES2/gl2ext.h>
 
 #include <functional>
 
@@ -71,12 +72,19 @@ using ProcLoader = std::function<void*(const char* name)>;
   X(VertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC)           \
   X(Viewport, PFNGLVIEWPORTPROC)
 
+// Of ES 3.0: null where the context does not have it. A context of ES 2.0 may have it nonetheless.
+#define GLIMT_GL_OPTIONAL_FUNCTIONS(X) X(DrawBuffers, PFNGLDRAWBUFFERSEXTPROC)
+
 struct Functions {
 #define GLIMT_GL_MEMBER(name, type) type name = nullptr;
   GLIMT_GL_FUNCTIONS(GLIMT_GL_MEMBER)
+  GLIMT_GL_OPTIONAL_FUNCTIONS(GLIMT_GL_MEMBER)
 #undef GLIMT_GL_MEMBER
 
-  // Errors: no_gl, naming the first function that the context does not have.
+  // Null where the context cannot tell that it was lost; see Context.
+  GLenum(GL_APIENTRYP GetGraphicsResetStatus)() = nullptr;
+
+  // Errors: no_gl, naming the first function of ES 2.0 that the context does not have.
   static Functions load(const ProcLoader& loader);
 };
 

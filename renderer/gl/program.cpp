@@ -5,12 +5,13 @@
 #include <regex>
 #include <sstream>
 
-#include "renderer/core/error.h"
+#include "renderer/gl/errors.h"
 
 namespace glimt::gl {
 namespace {
 
 std::string firstLine(const std::string& log) {
+  if (log.empty()) return "the driver does not say why";
   return log.substr(0, log.find('\n'));
 }
 
@@ -49,6 +50,7 @@ ShaderHandle compile(const Functions& gl, const std::string& name, GLenum stage,
   GLint compiled = GL_FALSE;
   gl.GetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
   if (!compiled) {
+    checkErrors(gl, fmt::format("compiling the shader '{}'", name));
     const std::string log = readLog(shader.name(), gl.GetShaderiv, gl.GetShaderInfoLog);
     throw Error(ErrorKind::failed, fmt::format("the shader '{}' does not compile: {}{}", name,
                                                firstLine(log), quotedLine(source, log)));
@@ -61,6 +63,7 @@ ShaderHandle compile(const Functions& gl, const std::string& name, GLenum stage,
 Program::Program(const Functions& gl, const std::string& name, const std::string& vertex_source,
                  const std::string& fragment_source)
     : handle_(gl, gl.CreateProgram()) {
+  clearErrors(gl);
   const ShaderHandle vertex = compile(gl, name, GL_VERTEX_SHADER, vertex_source);
   const ShaderHandle fragment = compile(gl, name, GL_FRAGMENT_SHADER, fragment_source);
   gl.AttachShader(handle_.name(), vertex.name());
@@ -69,11 +72,12 @@ Program::Program(const Functions& gl, const std::string& name, const std::string
   gl.LinkProgram(handle_.name());
   GLint linked = GL_FALSE;
   gl.GetProgramiv(handle_.name(), GL_LINK_STATUS, &linked);
-  if (!linked)
-    throw Error(
-        ErrorKind::failed,
-        fmt::format("the shader '{}' does not link: {}", name,
-                    firstLine(readLog(handle_.name(), gl.GetProgramiv, gl.GetProgramInfoLog))));
+  if (linked) return;
+  checkErrors(gl, fmt::format("linking the shader '{}'", name));
+  throw Error(
+      ErrorKind::failed,
+      fmt::format("the shader '{}' does not link: {}", name,
+                  firstLine(readLog(handle_.name(), gl.GetProgramiv, gl.GetProgramInfoLog))));
 }
 
 void Program::use() const {

@@ -1,6 +1,8 @@
 #include "renderer/gl/stencil.h"
 
-#include "renderer/core/error.h"
+#include <fmt/format.h>
+
+#include "renderer/gl/errors.h"
 
 namespace glimt::gl {
 namespace {
@@ -15,9 +17,11 @@ Stencil::Stencil(const Functions& gl, StencilForm form, int width, int height) :
   gl.GenRenderbuffers(1, &name);
   handle_ = RenderbufferHandle(gl, name);
   gl.BindRenderbuffer(GL_RENDERBUFFER, name);
+  clearErrors(gl);
   gl.RenderbufferStorage(GL_RENDERBUFFER,
                          form == StencilForm::alone ? GL_STENCIL_INDEX8 : kDepth24Stencil8, width,
                          height);
+  checkErrors(gl, fmt::format("making a stencil of {} x {}", width, height));
 }
 
 void Stencil::attachTo(const Target& target) const {
@@ -44,8 +48,7 @@ std::optional<StencilForm> findStencilForm(const Functions& gl, FloatForm float_
     }
   }
   // A form that the context does not know leaves an error behind.
-  while (gl.GetError() != GL_NO_ERROR) {
-  }
+  clearErrors(gl);
   return found;
 }
 

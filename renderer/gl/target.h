@@ -1,4 +1,4 @@
-// A texture that can be drawn into and read back.
+// Textures that can be drawn into and read back.
 #pragma once
 
 #include <vector>
@@ -14,9 +14,13 @@ class Target {
   // Errors: failed, when the device cannot draw into such a texture.
   explicit Target(Texture texture);
 
-  int width() const { return texture_.width(); }
-  int height() const { return texture_.height(); }
-  const Texture& texture() const { return texture_; }
+  // Textures of one size, which a draw writes to at once: output i of the shader goes to texture i.
+  // Errors: failed, also when there is more than one and the context is of ES 2.0.
+  explicit Target(std::vector<Texture> textures);
+
+  int width() const { return textures_.empty() ? 0 : textures_.front().width(); }
+  int height() const { return textures_.empty() ? 0 : textures_.front().height(); }
+  const Texture& texture(std::size_t i = 0) const { return textures_.at(i); }
 
   // Draws go here, over the whole of it.
   void bind() const;
@@ -27,12 +31,15 @@ class Target {
   // Takes all marks off; see stencil.h.
   void clearStencil() const;
 
-  // The whole content, rows from the bottom. Each for a texture of its kind.
+  // The whole content of the first texture, rows from the bottom. Each for a texture of its kind.
+  // Errors: failed, when the context gives it no more.
   std::vector<Vec4> readFloats() const;
   std::vector<unsigned char> readBytes() const;
 
  private:
-  Texture texture_;
+  void read(GLenum type, void* texels) const;
+
+  std::vector<Texture> textures_;
   FramebufferHandle framebuffer_;
 };
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/core/error.h"
+#include "renderer/gl/errors.h"
 
 namespace glimt::gl {
 namespace {
@@ -25,14 +25,9 @@ Texture::Texture(const Functions& gl, GLint internal_format, GLenum type, int wi
                  const void* texels)
     : handle_(generate(gl)), width_(width), height_(height) {
   bind(0);
-  while (gl.GetError() != GL_NO_ERROR) {  // what is checked below is this call alone
-  }
+  clearErrors(gl);
   gl.TexImage2D(GL_TEXTURE_2D, 0, internal_format, width, height, 0, GL_RGBA, type, texels);
-  const GLenum error = gl.GetError();
-  if (error != GL_NO_ERROR)
-    throw Error(ErrorKind::failed,
-                fmt::format("a texture of {} x {} could not be made (GL error 0x{:04x}{})", width,
-                            height, error, error == GL_OUT_OF_MEMORY ? ", out of memory" : ""));
+  checkErrors(gl, fmt::format("making a texture of {} x {}", width, height));
   const GLint wrap = isPowerOfTwo(width) && isPowerOfTwo(height) ? GL_REPEAT : GL_CLAMP_TO_EDGE;
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);

@@ -23,9 +23,14 @@ bool canDrawLiveOnly(const gl::Device& device) {
   return device.floatBlending() && device.stencilForm().has_value();
 }
 
-TargetPair::TargetPair(const gl::Device& device, int width, int height, bool both) {
-  for (std::size_t i = 0; i < (both ? 2 : 1); ++i)
-    targets_[i] = gl::Target(gl::Texture::floats(device.gl(), device.floatForm(), width, height));
+TargetPair::TargetPair(const gl::Device& device, int width, int height, bool both,
+                       std::size_t textures) {
+  for (std::size_t i = 0; i < (both ? 2 : 1); ++i) {
+    std::vector<gl::Texture> parts;
+    while (parts.size() < textures)
+      parts.push_back(gl::Texture::floats(device.gl(), device.floatForm(), width, height));
+    targets_[i] = gl::Target(std::move(parts));
+  }
   clear();
 }
 
@@ -34,11 +39,10 @@ void TargetPair::attach(const gl::Stencil& stencil) const {
     if (target.width() > 0) stencil.attachTo(target);
 }
 
-Film::Film(const gl::Device& device, int width, int height) {
+Film::Film(const gl::Device& device, int width, int height, std::size_t record_textures) {
   checkSize(device, width, height);
-  record = TargetPair(device, width, height);
+  record = TargetPair(device, width, height, true, record_textures);
   radiance = TargetPair(device, width, height, !device.floatBlending());
-  mean = TargetPair(device, width, height);
   if (!canDrawLiveOnly(device)) return;
   stencil = gl::Stencil(device.gl(), *device.stencilForm(), width, height);
   record.attach(stencil);

@@ -1,4 +1,4 @@
-// The targets that a picture is made in.
+// The targets that a sample of a picture is made in.
 #pragma once
 
 #include <array>
@@ -11,7 +11,8 @@ namespace glimt {
 class TargetPair {
  public:
   TargetPair() = default;
-  TargetPair(const gl::Device& device, int width, int height, bool both = true);
+  TargetPair(const gl::Device& device, int width, int height, bool both = true,
+             std::size_t textures = 1);  // of each target
 
   const gl::Target& front() const { return targets_[front_]; }     // to read
   const gl::Target& back() const { return targets_[1 - front_]; }  // to write
@@ -31,14 +32,13 @@ bool canDrawLiveOnly(const gl::Device& device);
 struct Film {
   Film() = default;
   // Errors: usage, when the picture is larger than the device's textures.
-  Film(const gl::Device& device, int width, int height);
+  Film(const gl::Device& device, int width, int height, std::size_t record_textures = 1);
 
-  int width() const { return mean.front().width(); }
-  int height() const { return mean.front().height(); }
+  int width() const { return record.front().width(); }
+  int height() const { return record.front().height(); }
 
   TargetPair record;    // hit records of this bounce and of the next
   TargetPair radiance;  // of this sample; two only where the device cannot blend floats
-  TargetPair mean;      // mean of the samples so far; their number in the fourth channel
   gl::Stencil stencil;  // of record and radiance, where draws are limited to live paths
 };
 

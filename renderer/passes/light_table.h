@@ -17,7 +17,8 @@ struct LightEntry {
 
 struct LightTable {
   std::vector<LightEntry> entries;  // one per triangle that emits
-  double total_power = 0;           // sum of area * emissionWeight, square metres * radiance
+  std::vector<double> densities;    // of samples on each material, per square metre; into
+                                    // Scene::materials
 };
 
 // Square metres.
@@ -25,12 +26,11 @@ double areaOf(const Scene& scene, const Triangle& triangle);
 
 // The radiance by which a material's triangles are chosen, per area: the mean of the channels,
 // twice that where both sides emit.
-float emissionWeight(const Material& material);
+double emissionWeight(const Material& material);
 
-// Density of light samples on a surface of this material, per square metre.
-float lightDensity(const LightTable& table, const Material& material);
-
-// Triangles in proportion to area * emissionWeight.
+// Most samples go to triangles in proportion to their power, area * emissionWeight. A fifth is
+// dealt out evenly among the materials that emit: where only a weak light arrives, it is found all
+// the same, however much brighter others are.
 LightTable buildLightTable(const Scene& scene);
 
 }  // namespace glimt

@@ -1,13 +1,18 @@
 #include "renderer/passes/path_tracer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <chrono>
 #include <cmath>
 
+#include "renderer/core/error.h"
+#include "renderer/gl/errors.h"
 #include "renderer/passes/camera_uniforms.h"
 #include "renderer/passes/data_texture.h"
 #include "renderer/scene/effects_of.h"
+#include "shaders/layout.h"
 
 namespace glimt {
 namespace {
@@ -15,36 +20,55 @@ namespace {
 // Tiles begin at multiples of this many pixels, which is how tiled rasterisers divide a target.
 constexpr int kTileStep = 64;
 
-// Whether a hit record is of a path that has met a triangle; see shaders/hit_record.glsl, whose
-// first channel holds the triangle in its mantissa.
-bool isHit(const Vec4& record) {
+// Whether a packed hit record is of a path that has met a triangle; see shaders/hit_record.glsl,
+// whose first channel holds the triangle in its mantissa.
+bool isPackedHit(const Vec4& record) {
   constexpr std::uint32_t kMantissa = (1u << 23) - 1;
   constexpr std::uint32_t kUnknown = kMantissa - 1;
   return record.x != 0 && (std::bit_cast<std::uint32_t>(record.x) & kMantissa) < kUnknown;
+}
+
+// The same for the first texel of a wide one; see shaders/wide_record_input.glsl.
+bool isWideHit(const Vec4& record) {
+  constexpr float kUnknown = 8388606;
+  return record.x > 0.5f && record.y < kUnknown;
+}
+
+Record recordFor(const gl::Device& device, const std::string& name) {
+  const Record& record = recordNamed(name);
+  const bool several = record.samplers.size() > 1;
+  if (record.gles > device.info().gles || (several && !device.gl().DrawBuffers))
+    throw Error(ErrorKind::usage, fmt::format("record '{}' needs OpenGL ES {}.0; render with "
+                                              "--gles {}",
+                                              name, record.gles, record.gles));
+  return record;
 }
 
 }  // namespace
 
 PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
                        const PathTracerSettings& settings, const WorkProgress& progress)
-    : PathTracer(device, scene, settings,
-                 buildSceneTree(scene, device.maxTextureSize(), progress)) {}
+    : PathTracer(device, scene, settings, buildSceneTree(scene, device.maxTextureSize(), progress),
+                 progress) {}
 
 PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
-                       const PathTracerSettings& settings, const SceneTree& tree)
+                       const PathTracerSettings& settings, const SceneTree& tree,
+                       const WorkProgress& progress)
     : device_(&device),
       points_(settings.seed),
       candidates_(candidateTraversals(settings.traversal, tree.bvh, device.info(),
                                       mostTexels(device.maxTextureSize()))),
       traversal_(candidates_.front()),
+      record_(recordFor(device, settings.record)),
       scene_(device, scene, tree, traversalNamed(traversal_).layout),
       offsets_(points_.makeOffsets(device)),
       effects_(effectsOf(scene)),
       bounces_(settings.bounces),
       live_only_(settings.live_only && canDrawLiveOnly(device)),
+      accumulation_(device),
       camera_(scene.camera) {
   planStages();
-  compile();
+  compile(progress);
 }
 
 void PathTracer::planStages() {
@@ -53,6 +77,7 @@ void PathTracer::planStages() {
   // Light samples find nothing for a mirror or glass, so at the last surface a ray looks for it.
   if (has(effects_, Effect::mirror) || has(effects_, Effect::glass)) planBounce(bounces_ + 1);
   stages_.push_back({Pass::accumulate, 0});
+  if ((samples_ + 1) % SAMPLES_PER_BLOCK == 0) stages_.push_back({Pass::close_block, 0});
 }
 
 void PathTracer::planBounce(int bounce) {
@@ -76,16 +101,19 @@ PathTracer::ProgramKey PathTracer::keyOf(Pass pass) const {
   return {traces ? traversal_ : "", pass};
 }
 
-void PathTracer::compile() {
+void PathTracer::compile(const WorkProgress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  const int gles = traversalNamed(traversal_).gles;
+  const int gles = std::max(traversalNamed(traversal_).gles, record_.gles);
   const std::string vertex = composeVertexShader(gles);
   for (const Stage& stage : stages_) {
-    if (programs_.contains(keyOf(stage.pass))) continue;
+    const bool accumulates = stage.pass == Pass::accumulate || stage.pass == Pass::close_block;
+    if (accumulates || programs_.contains(keyOf(stage.pass))) continue;
+    if (progress) progress(1);
     ShaderRequest request;
     request.pass = stage.pass;
     request.effects = effects_;
     request.traversal = traversal_;
+    request.record = record_.name;
     request.additive_blending = device_->floatBlending();
     request.live_only = live_only_;
     request.gles = gles;
@@ -99,7 +127,7 @@ void PathTracer::compile() {
 void PathTracer::use(const std::string& traversal) {
   if (traversal == traversal_) return;
   traversal_ = traversal;
-  compile();
+  compile({});
 }
 
 void PathTracer::setCamera(const Camera& camera) {
@@ -109,13 +137,15 @@ void PathTracer::setCamera(const Camera& camera) {
 
 void PathTracer::resize(int width, int height) {
   if (width == film_.width() && height == film_.height()) return;
-  film_ = Film(*device_, width, height);
+  film_ = Film(*device_, width, height, record_.samplers.size());
+  accumulation_.resize(width, height);
   restart();
 }
 
 void PathTracer::restart() {
-  film_.mean.clear();
+  accumulation_.clear();
   samples_ = 0;
+  planStages();
   stage_ = 0;
   row_ = 0;
   column_ = 0;
@@ -125,7 +155,9 @@ double PathTracer::drawTile(double pixels) {
   const Stage stage = stages_[stage_];
   if (row_ == 0 && column_ == 0) beginStage(stage);
   const gl::Tile tile = nextTile(pixels);
+  gl::clearErrors(device_->gl());
   drawStage(stage, tile);
+  gl::checkErrors(device_->gl(), "drawing the pass " + nameOf(stage.pass));
   column_ += tile.width;
   if (column_ == film_.width()) {
     column_ = 0;
@@ -136,8 +168,8 @@ double PathTracer::drawTile(double pixels) {
     endStage(stage);
     stage_ = (stage_ + 1) % stages_.size();
     if (stage_ == 0) {
-      if (samples_ == 0) planStages();
       ++samples_;
+      planStages();
     }
   }
   return static_cast<double>(tile.width) * tile.height;
@@ -155,6 +187,10 @@ gl::Tile PathTracer::nextTile(double pixels) const {
           std::min(rows, film_.height() - row_)};
 }
 
+void PathTracer::takeBackSample() {
+  --samples_;
+}
+
 void PathTracer::beginStage(const Stage& stage) {
   if (stage.pass == Pass::camera) {
     film_.radiance.clear();
@@ -165,20 +201,22 @@ void PathTracer::beginStage(const Stage& stage) {
 }
 
 void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
+  if (stage.pass == Pass::accumulate) {
+    accumulation_.add(film_.radiance.front().texture(), tile);
+    return;
+  }
+  if (stage.pass == Pass::close_block) {
+    accumulation_.closeBlock(tile);
+    return;
+  }
   gl::Program& program = this->program(stage.pass);
   program.use();
   program.set("uZero", Vec4(0));
   program.set("uPictureStep", 1.0f / Vec2(film_.width(), film_.height()));
-  if (stage.pass == Pass::accumulate) {
-    program.set("uRadiance", film_.radiance.front().texture());
-    program.set("uMean", film_.mean.front().texture());
-    film_.mean.back().bind();
-    device_->draw(tile);
-    return;
-  }
   scene_.bind(program);
   bindSamplePoint(program, stage);
-  program.set("uRecord", film_.record.front().texture());
+  for (std::size_t i = 0; i < record_.samplers.size(); ++i)
+    program.set(record_.samplers[i], film_.record.front().texture(i));
   gl::DrawState state;
   if (live_only_)
     state.limit = stage.pass == Pass::escape ? gl::Limit::unmarked_then_mark : gl::Limit::unmarked;
@@ -202,7 +240,12 @@ void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
 
 void PathTracer::endStage(const Stage& stage) {
   if (stage.pass == Pass::accumulate) {
-    film_.mean.swap();
+    accumulation_.endSample();
+  } else if (stage.pass == Pass::close_block) {
+    // Before the block is forgotten it has to be part of the mean.
+    device_->gl().Finish();
+    gl::checkErrors(device_->gl(), "closing a block of samples");
+    accumulation_.endBlock();
   } else if (stage.pass == Pass::escape || stage.pass == Pass::light) {
     if (!device_->floatBlending()) film_.radiance.swap();
   } else {
@@ -213,7 +256,8 @@ void PathTracer::endStage(const Stage& stage) {
 
 void PathTracer::countRays(const Stage& stage) {
   const std::vector<Vec4> records = film_.record.front().readFloats();
-  const auto hits = static_cast<double>(std::count_if(records.begin(), records.end(), isHit));
+  const auto hits = static_cast<double>(std::count_if(
+      records.begin(), records.end(), record_.name == "wide" ? isWideHit : isPackedHit));
   const bool last = stage.bounce == bounces_;
   if (stage.pass == Pass::camera) {
     alive_.clear();

@@ -8,10 +8,12 @@
 
 #include "renderer/gl/device.h"
 #include "renderer/gl/program.h"
+#include "renderer/passes/accumulation.h"
 #include "renderer/passes/film.h"
 #include "renderer/passes/sample_points.h"
 #include "renderer/passes/scene_textures.h"
 #include "renderer/shader/composer.h"
+#include "renderer/shader/records.h"
 
 namespace glimt {
 
@@ -19,6 +21,7 @@ struct PathTracerSettings {
   int bounces = 4;
   std::uint32_t seed = 0;
   std::string traversal = "auto";
+  std::string record = "packed";  // see records.h
   bool live_only =
       true;  // passes are drawn for live paths only, where the device can; same picture
 };
@@ -32,11 +35,12 @@ struct RayCounts {
 
 class PathTracer {
  public:
-  // `progress` is told how far the tree is.
+  // `progress` is told how far the tree is, and 1 again before each further piece of work. Errors:
+  // usage, also for a record that does not exist or does not run on the context.
   PathTracer(const gl::Device& device, const Scene& scene, const PathTracerSettings& settings,
              const WorkProgress& progress = {});
   PathTracer(const gl::Device& device, const Scene& scene, const PathTracerSettings& settings,
-             const SceneTree& tree);
+             const SceneTree& tree, const WorkProgress& progress = {});
 
   void setCamera(const Camera& camera);
   void resize(int width, int height);
@@ -56,11 +60,17 @@ class PathTracer {
   // Whether the next draw begins a sample.
   bool atSampleStart() const { return stage_ == 0 && row_ == 0 && column_ == 0; }
 
-  // One draw, of at most about `pixels` pixels. Returns how many they were.
+  // One draw, of at most about `pixels` pixels. Returns how many they were. Errors: failed, when
+  // GL fails; what was complete before stays so.
   double drawTile(double pixels);
+
+  // Right after the draw that completed a sample: it is not counted. Pixels that have it keep it,
+  // each with its own number of samples.
+  void takeBackSample();
 
   int samples() const { return samples_; }
   const Film& film() const { return film_; }
+  const Accumulation& accumulation() const { return accumulation_; }
   const SceneTextures& scene() const { return scene_; }
   const std::string& traversal() const { return traversal_; }  // the one in use
   const RayCounts& rays() const { return rays_; }
@@ -81,7 +91,7 @@ class PathTracer {
   void planStages();
   void planBounce(int bounce);
   bool marksEnded(int bounce) const;
-  void compile();
+  void compile(const WorkProgress& progress);
   gl::Tile nextTile(double pixels) const;
   void beginStage(const Stage& stage);
   void drawStage(const Stage& stage, const gl::Tile& tile);
@@ -93,6 +103,7 @@ class PathTracer {
   SamplePoints points_;
   std::vector<std::string> candidates_;
   std::string traversal_;
+  Record record_;
   SceneTextures scene_;
   gl::Texture offsets_;
   EffectSet effects_;
@@ -101,6 +112,7 @@ class PathTracer {
   std::map<ProgramKey, gl::Program> programs_;
   std::vector<Stage> stages_;
   Film film_;
+  Accumulation accumulation_;
   Camera camera_;
   std::vector<double>
       alive_;  // share of the paths that met a triangle, for each bounce; of the first sample

@@ -7,6 +7,7 @@
 
 #include "renderer/bvh/node_layout.h"
 #include "renderer/core/error.h"
+#include "renderer/passes/corner_order.h"
 #include "renderer/passes/data_texture.h"
 #include "renderer/passes/gloss_table.h"
 #include "renderer/passes/light_table.h"
@@ -21,9 +22,10 @@ std::vector<Vec4> packTriangles(const Scene& scene, const Bvh& bvh) {
   texels.reserve(scene.triangles.size() * static_cast<std::size_t>(TRIANGLE_TEXELS));
   for (const std::uint32_t index : bvh.order) {
     const Triangle& triangle = scene.triangles[index];
-    const Vec3& v0 = scene.positions[triangle.positions[0]];
-    const Vec3& v1 = scene.positions[triangle.positions[1]];
-    const Vec3& v2 = scene.positions[triangle.positions[2]];
+    const auto [first, second, third] = cornerOrder(scene, triangle);
+    const Vec3& v0 = scene.positions[triangle.positions[first]];
+    const Vec3& v1 = scene.positions[triangle.positions[second]];
+    const Vec3& v2 = scene.positions[triangle.positions[third]];
     texels.emplace_back(v0, 1.0f + static_cast<float>(triangle.material));
     texels.emplace_back(v1, static_cast<float>(areaOf(scene, triangle)));
     texels.emplace_back(v2, 0.0f);
@@ -43,6 +45,17 @@ Vec2 encodeOctahedral(const Vec3& v) {
   return {std::copysign(1 - std::abs(p.y), v.x), std::copysign(1 - std::abs(p.x), v.y)};
 }
 
+// 1, or -1 where the normals point to the triangle's back. They say how the surface is curved;
+// which side is the front is the winding's to say, and some files wind the other way.
+float sideOfNormals(const Scene& scene, const Triangle& triangle) {
+  const Vec3& a = scene.positions[triangle.positions[0]];
+  const Vec3 geometric = glm::cross(scene.positions[triangle.positions[1]] - a,
+                                    scene.positions[triangle.positions[2]] - a);
+  Vec3 sum(0);
+  for (const std::uint32_t normal : triangle.normals) sum += scene.normals[normal];
+  return glm::dot(sum, geometric) < 0 ? -1.0f : 1.0f;
+}
+
 std::vector<Vec4> packNormals(const Scene& scene, const Bvh& bvh) {
   std::vector<Vec4> texels;
   texels.reserve(scene.triangles.size() * static_cast<std::size_t>(NORMAL_TEXELS));
@@ -52,17 +65,21 @@ std::vector<Vec4> packNormals(const Scene& scene, const Bvh& bvh) {
       texels.resize(texels.size() + static_cast<std::size_t>(NORMAL_TEXELS), Vec4(0));
       continue;
     }
-    texels.emplace_back(encodeOctahedral(scene.normals[triangle.normals[0]]),
-                        encodeOctahedral(scene.normals[triangle.normals[1]]));
-    texels.emplace_back(encodeOctahedral(scene.normals[triangle.normals[2]]), Vec2(1, 0));
+    const float side = sideOfNormals(scene, triangle);
+    const auto [first, second, third] = cornerOrder(scene, triangle);
+    texels.emplace_back(encodeOctahedral(side * scene.normals[triangle.normals[first]]),
+                        encodeOctahedral(side * scene.normals[triangle.normals[second]]));
+    texels.emplace_back(encodeOctahedral(side * scene.normals[triangle.normals[third]]),
+                        Vec2(1, 0));
   }
   return texels;
 }
 
 std::vector<Vec4> packMaterials(const Scene& scene, const LightTable& lights) {
   std::vector<Vec4> texels;
-  for (const Material& material : scene.materials) {
-    const float density = lightDensity(lights, material);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const Material& material = scene.materials[i];
+    const auto density = static_cast<float>(lights.densities[i]);
     texels.emplace_back(material.base_color, material.metallic);
     texels.emplace_back(material.emission, material.double_sided ? -density : density);
     texels.emplace_back(material.roughness, material.specular, material.ior, material.transmission);

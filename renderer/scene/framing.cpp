@@ -33,10 +33,11 @@ Camera framed(const Bounds& bounds, float aspect, const CameraSettings& settings
     camera.position.z = bounds.max.z + distanceToFill(size, camera.vertical_fov, aspect);
   }
   if (settings.target) {
-    camera.position += *settings.target - camera.target;
-    camera.target = *settings.target;
+    const Vec3 target(*settings.target);
+    camera.position += target - camera.target;
+    camera.target = target;
   }
-  if (settings.position) camera.position = *settings.position;
+  if (settings.position) camera.position = Vec3(*settings.position);
   camera.up = settings.up.value_or(camera.up);
   camera.up = usableUp(camera);
   return camera;

@@ -11,8 +11,8 @@ namespace glimt {
 
 // What a file says about its camera.
 struct CameraSettings {
-  std::optional<Vec3> position;
-  std::optional<Vec3> target;
+  std::optional<glm::dvec3> position;
+  std::optional<glm::dvec3> target;
   std::optional<Vec3> up;
   std::optional<float> vertical_fov;
 };

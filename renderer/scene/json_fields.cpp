@@ -21,6 +21,47 @@ constexpr std::uintmax_t kLargestSceneFile = 16 << 20;
   throw Error(ErrorKind::input, fmt::format("{}: {}", printable(file.string()), what));
 }
 
+[[noreturn]] void fail(const std::filesystem::path& file, std::size_t line,
+                       const std::string& what) {
+  throw Error(ErrorKind::input, fmt::format("{}:{}: {}", printable(file.string()), line, what));
+}
+
+// With the line of the key that stands there; what has no key of its own has no line.
+[[noreturn]] void fail(const JsonDocument& document, const std::string& key,
+                       const std::string& what) {
+  const auto line = document.lines.find(key);
+  if (line == document.lines.end()) fail(document.path, what);
+  fail(document.path, line->second, what);
+}
+
+std::string nameWithin(const std::string& name, const std::string& key) {
+  return name.empty() ? key : fmt::format("{}.{}", name, key);
+}
+
+// Hands out the text, and counts its lines on the way: the parser tells of keys while it reads.
+class LineCounter {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  LineCounter(const char* at, std::size_t* line) : at_(at), line_(line) {}
+
+  reference operator*() const { return *at_; }
+  LineCounter& operator++() {
+    if (*at_++ == '\n') ++*line_;
+    return *this;
+  }
+  bool operator==(const LineCounter& other) const { return at_ == other.at_; }
+  bool operator!=(const LineCounter& other) const { return at_ != other.at_; }
+
+ private:
+  const char* at_;
+  std::size_t* line_;
+};
+
 std::size_t lineOf(std::string_view bytes, std::size_t position) {
   const std::string_view before = bytes.substr(0, position == 0 ? 0 : position - 1);
   return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
@@ -67,38 +108,51 @@ bool isInteger(const json& value, const Range& range) {
 
 }  // namespace
 
-json readJson(const std::filesystem::path& path, int deepest) {
+JsonDocument readJson(const std::filesystem::path& path, int deepest) {
   const std::string bytes = readFile(path, kLargestSceneFile);
-  const auto demandShallow = [&](int depth, json::parse_event_t, json&) {
-    if (depth > deepest) fail(path, "nested too deeply; a scene file has objects in one object");
+  JsonDocument document{path, {}, {}};
+  std::size_t line = 1;
+  std::vector<std::string> names = {""};  // of the objects around, outermost first
+  const auto follow = [&](int depth, json::parse_event_t event, json& parsed) {
+    if (depth > deepest) {
+      fail(path, line, "nested too deeply; a scene file has objects in one object");
+    }
+    if (event != json::parse_event_t::key) return true;
+    names.resize(static_cast<std::size_t>(depth));
+    names.push_back(nameWithin(names.back(), printable(parsed.get_ref<const std::string&>())));
+    document.lines.insert_or_assign(names.back(), line);
     return true;
   };
+  const char* const end = bytes.data() + bytes.size();
   try {
-    return json::parse(bytes, demandShallow);
+    document.value = json::parse(LineCounter(bytes.data(), &line), LineCounter(end, &line), follow);
+    return document;
   } catch (const json::parse_error& error) {
     throw Error(ErrorKind::input,
                 fmt::format("{}:{}: no valid JSON ({}); correct it there", printable(path.string()),
                             lineOf(bytes, error.byte), reasonIn(error.what())));
   } catch (const json::exception&) {
-    fail(path, "a number in it is too large; use smaller ones");
+    fail(path, line, "a number is too large; use a smaller one");
   }
 }
 
-JsonFields::JsonFields(const std::filesystem::path& file, std::string name, const json& value,
+JsonFields::JsonFields(const JsonDocument& document, std::string name, const json& value,
                        std::initializer_list<const char*> known)
-    : file_(file), name_(std::move(name)), object_(value) {
+    : document_(document), name_(std::move(name)), object_(value) {
   if (!value.is_object()) {
-    fail(file, fmt::format("{} must be an object, not {}", name_.empty() ? "the scene" : name_,
-                           described(value)));
+    fail(document, name_,
+         fmt::format("{} must be an object, not {}", name_.empty() ? "the scene" : name_,
+                     described(value)));
   }
   const std::vector<std::string> names(known.begin(), known.end());
   for (const auto& [key, ignored] : value.items()) {
     if (std::find(names.begin(), names.end(), key) != names.end()) continue;
     const std::string close = nearest(key, names);
     const std::string where = name_.empty() ? "" : fmt::format(" in {}", name_);
-    fail(file, fmt::format("unknown key \"{}\"{}; {}", printable(key), where,
-                           close.empty() ? fmt::format("known are {}", fmt::join(names, ", "))
-                                         : fmt::format("did you mean \"{}\"?", close)));
+    fail(document, nameWithin(name_, printable(key)),
+         fmt::format("unknown key \"{}\"{}; {}", printable(key), where,
+                     close.empty() ? fmt::format("known are {}", fmt::join(names, ", "))
+                                   : fmt::format("did you mean \"{}\"?", close)));
   }
 }
 
@@ -108,11 +162,12 @@ const json* JsonFields::find(const char* key) const {
 }
 
 std::string JsonFields::nameOf(const char* key) const {
-  return name_.empty() ? key : fmt::format("{}.{}", name_, key);
+  return nameWithin(name_, key);
 }
 
 void JsonFields::reject(const char* key, const std::string& what) const {
-  fail(file_, fmt::format("{} must be {}, not {}", nameOf(key), what, described(*find(key))));
+  fail(document_, nameOf(key),
+       fmt::format("{} must be {}, not {}", nameOf(key), what, described(*find(key))));
 }
 
 std::optional<float> JsonFields::number(const char* key, const Range& range) const {
@@ -144,18 +199,24 @@ std::optional<std::string> JsonFields::text(const char* key) const {
 }
 
 std::optional<Vec3> JsonFields::vector(const char* key, const Range& each) const {
+  const std::optional<glm::dvec3> value = point(key, each);
+  return value ? std::optional<Vec3>(*value) : std::nullopt;
+}
+
+std::optional<glm::dvec3> JsonFields::point(const char* key, const Range& each) const {
   const json* value = find(key);
   if (value == nullptr) return {};
   const std::string what = fmt::format("an array of three, each {}", each.words);
   if (!value->is_array() || value->size() != 3) reject(key, what);
-  Vec3 out{0};
+  glm::dvec3 out{0};
   for (int i = 0; i < 3; ++i) {
     const json& element = (*value)[static_cast<std::size_t>(i)];
     if (!inRange(element, each)) {
-      fail(file_, fmt::format("{}[{}] must be {}, not {}", nameOf(key), i, each.words,
-                              described(element)));
+      fail(
+          document_, nameOf(key),
+          fmt::format("{}[{}] must be {}, not {}", nameOf(key), i, each.words, described(element)));
     }
-    out[i] = element.get<float>();
+    out[i] = element.get<double>();
   }
   return out;
 }

@@ -40,12 +40,25 @@ Scene readModel(const fs::path& path) {
   fail(path, "unknown kind of model; glimt reads .obj, and .scene.json that names one");
 }
 
+// From the file's coordinates to the scene's.
+void movePlace(std::optional<glm::dvec3>& place, const char* key, const Scene& scene,
+               const fs::path& path) {
+  if (!place) return;
+  *place -= scene.origin;
+  const glm::dvec3 size = glm::abs(*place);
+  if (std::max({size.x, size.y, size.z}) > kLargestCoordinate)
+    fail(path, fmt::format("{} is farther than 100,000 km from the model; move it closer", key));
+}
+
 void placeCamera(const SceneFile& file, const fs::path& path, Scene& scene) {
   float aspect = 1;
   if (const auto& size = scene.render.size) {
     aspect = static_cast<float>((*size)[0]) / static_cast<float>((*size)[1]);
   }
-  scene.camera = framed(boundsOf(scene), aspect, file.camera);
+  CameraSettings settings = file.camera;
+  movePlace(settings.position, "camera.position", scene, path);
+  movePlace(settings.target, "camera.target", scene, path);
+  scene.camera = framed(boundsOf(scene), aspect, settings);
   if (scene.camera.position == scene.camera.target) {
     fail(path, "the camera is where it looks; give camera.position and camera.target");
   }

@@ -1,10 +1,12 @@
 #include "renderer/scene/mtl_file.h"
 
+#include <fmt/format.h>
 #include <tiny_obj_loader.h>
 
 #include <map>
 #include <sstream>
 
+#include "renderer/core/error.h"
 #include "renderer/core/file.h"
 #include "renderer/core/wording.h"
 #include "renderer/scene/obj_lines.h"
@@ -13,16 +15,23 @@ namespace glimt {
 namespace {
 
 constexpr std::uintmax_t kLargestMtl = 64 << 20;
+// tinyobjloader takes more than a thousand bytes for each.
+constexpr std::size_t kMostMaterials = 1 << 16;
 
 // tinyobjloader takes a material that gives no Kd for a black one. So every material begins with
 // a grey Kd; one that the file gives comes later and wins.
-std::string withDefaultColor(std::string_view text) {
+std::string withDefaultColor(std::string_view text, const std::string& path) {
   ObjLines lines(text);
   std::istream stream(&lines);
   std::string out;
+  std::size_t materials = 0;
   for (std::string line; std::getline(stream, line);) {
     out += line + "\n";
-    if (line.starts_with("newmtl")) out += "Kd 0.8 0.8 0.8\n";
+    if (!line.starts_with("newmtl")) continue;
+    out += "Kd 0.8 0.8 0.8\n";
+    if (++materials <= kMostMaterials) continue;
+    throw Error(ErrorKind::input, fmt::format("{}:{}: more than {} materials; use fewer", path,
+                                              lines.number(), grouped(kMostMaterials)));
   }
   return out;
 }
@@ -57,7 +66,8 @@ std::string withoutBlanksAround(const std::string& name) {
 
 std::vector<MtlMaterial> readMtlFile(const std::filesystem::path& path) {
   const std::string bytes = readFile(path, kLargestMtl);
-  std::istringstream text(withDefaultColor(demandText(bytes, printable(path.string()))));
+  const std::string shown_path = printable(path.string());
+  std::istringstream text(withDefaultColor(demandText(bytes, shown_path), shown_path));
   std::map<std::string, int> index_of_name;
   std::vector<tinyobj::material_t> parsed;
   std::string ignored_warnings;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 #include "renderer/core/error.h"
@@ -18,7 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kLargestObj = 0x7fffffff;
+// Several times what fits into the renderer's textures; with the mesh below 2 GiB of memory.
+constexpr std::uintmax_t kLargestObj = 512 << 20;
+constexpr std::size_t kMostLibraries = 100;
+constexpr std::size_t kMostTriangles = 1 << 23;
 
 // The file that an mtllib line means: relative to the OBJ, whichever way its slashes lean, or just
 // beside it when it stood somewhere else where the OBJ was made. Empty when there is none.
@@ -48,15 +52,18 @@ std::vector<std::string> namesIn(const std::string& line) {
   return names;
 }
 
+// Those that are there. Looks for no more than kMostLibraries: a line may hold a million names.
 std::vector<fs::path> librariesOf(const ObjMesh& mesh, const fs::path& folder,
                                   std::vector<std::string>& missing) {
   std::vector<fs::path> paths;
   for (const std::string& line : mesh.material_libraries) {
+    if (paths.size() + missing.size() >= kMostLibraries) break;
     if (const fs::path whole = libraryPath(folder, line); !whole.empty()) {
       paths.push_back(whole);
       continue;
     }
     for (const std::string& name : namesIn(line)) {
+      if (paths.size() + missing.size() >= kMostLibraries) return paths;
       const fs::path path = libraryPath(folder, name);
       if (path.empty()) {
         missing.push_back(name);
@@ -141,10 +148,34 @@ std::vector<std::uint32_t> resolveMaterials(const ObjMesh& mesh, const fs::path&
   return resolved;
 }
 
-// How many faces had to be left as they are not.
+// The centre of the model's box, where the box is so far from the file's origin that floats would
+// lose four bits or more of its details; else that origin.
+glm::dvec3 originOf(const ObjMesh& mesh) {
+  constexpr double kFar = 16;  // of the model's size
+  glm::dvec3 low(HUGE_VAL);
+  glm::dvec3 high(-HUGE_VAL);
+  for (const ObjMesh::Corner& corner : mesh.corners) {
+    const glm::dvec3& position = mesh.positions[corner.position];
+    if (!std::isfinite(position.x + position.y + position.z)) continue;
+    low = glm::min(low, position);
+    high = glm::max(high, position);
+  }
+  const glm::dvec3 center = 0.5 * low + 0.5 * high;
+  return glm::length(center) > kFar * glm::distance(low, high) ? center : glm::dvec3(0);
+}
+
+void placeVertices(const ObjMesh& mesh, Scene& scene) {
+  scene.origin = originOf(mesh);
+  scene.positions.reserve(mesh.positions.size());
+  for (const glm::dvec3& position : mesh.positions)
+    scene.positions.emplace_back(position - scene.origin);
+}
+
+// How many faces had to be left as they are not, and the effort that is left for concave ones.
 struct FaceFlaws {
   std::size_t too_few_corners = 0;
   std::size_t normal_out_of_range = 0;
+  std::int64_t effort = kEffortForFile;
 };
 
 void addFace(const ObjMesh& mesh, const ObjMesh::Face& face, std::uint32_t material, Scene& scene,
@@ -153,13 +184,13 @@ void addFace(const ObjMesh& mesh, const ObjMesh::Face& face, std::uint32_t mater
   std::vector<Vec3> points;
   bool normals_in_range = true;
   for (std::uint32_t i = 0; i < face.corner_count; ++i) {
-    points.push_back(mesh.positions[corners[i].position]);
+    points.push_back(scene.positions[corners[i].position]);
     const std::uint32_t normal = corners[i].normal;
     normals_in_range = normals_in_range && (normal == kNoIndex || normal < mesh.normals.size());
   }
   if (face.corner_count < 3) ++flaws.too_few_corners;
   if (!normals_in_range) ++flaws.normal_out_of_range;
-  for (const auto& cut : triangulate(points)) {
+  for (const auto& cut : triangulate(points, flaws.effort)) {
     Triangle triangle;
     triangle.material = material;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -184,12 +215,22 @@ void demandVertices(const ObjMesh& mesh, const std::string& path) {
   }
 }
 
+ObjMesh readMesh(const fs::path& path, const std::string& shown_path) {
+  const std::string bytes = readFile(path, kLargestObj);
+  return parseObj(demandText(bytes, shown_path), shown_path);
+}
+
+void demandFewer(const Scene& scene, const ObjMesh::Face& face, const std::string& path) {
+  if (scene.triangles.size() <= kMostTriangles) return;
+  throw Error(ErrorKind::input, fmt::format("{}:{}: more than {} triangles; use a coarser model",
+                                            path, face.line, grouped(kMostTriangles)));
+}
+
 }  // namespace
 
 Scene readObjFile(const fs::path& path) {
   const std::string shown_path = printable(path.string());
-  const std::string bytes = readFile(path, kLargestObj);
-  const ObjMesh mesh = parseObj(demandText(bytes, shown_path), shown_path);
+  ObjMesh mesh = readMesh(path, shown_path);
   if (mesh.faces.empty()) {
     throw Error(
         ErrorKind::input,
@@ -199,6 +240,7 @@ Scene readObjFile(const fs::path& path) {
 
   Scene scene;
   scene.name = path.stem().string();
+  placeVertices(mesh, scene);
   const std::vector<std::uint32_t> materials = resolveMaterials(mesh, path.parent_path(), scene);
   std::optional<std::uint32_t> without_material;
   FaceFlaws flaws;
@@ -210,9 +252,13 @@ Scene readObjFile(const fs::path& path) {
     const std::uint32_t material =
         face.material == kNoIndex ? *without_material : materials[face.material];
     addFace(mesh, face, material, scene, flaws);
+    demandFewer(scene, face, shown_path);
   }
-  scene.positions = mesh.positions;
-  scene.normals = mesh.normals;
+  scene.normals = std::move(mesh.normals);
+  if (flaws.effort <= 0) {
+    scene.warnings.push_back(
+        "too many corners in faces that are not convex; some may be cut wrongly");
+  }
   if (flaws.too_few_corners > 0) {
     scene.warnings.push_back(fmt::format("dropped {} of less than three corners",
                                          counted(flaws.too_few_corners, "face")));

@@ -4,15 +4,26 @@
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "renderer/core/error.h"
+#include "renderer/core/wording.h"
 #include "renderer/scene/obj_lines.h"
 #include "renderer/scene/scene.h"
 
 namespace glimt {
 namespace {
+
+// A byte of text can take some twenty of memory: these bound it to less than 2 GiB, and are several
+// times what the renderer's textures take.
+constexpr std::size_t kMostFaces = 1 << 23;
+constexpr std::size_t kMostCorners = 1 << 25;
+constexpr std::size_t kMostVertices = 1 << 24;
+// Names are longer than numbers, and few.
+constexpr std::size_t kMostNames = 1 << 16;
 
 std::string_view takeWord(std::string_view& text) {
   text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
@@ -21,25 +32,32 @@ std::string_view takeWord(std::string_view& text) {
   return word;
 }
 
-// tinyobjloader reads "nan", "inf" and "1.#IND" as 0 or 1.
-bool looksLikeNumber(std::string_view word) {
-  return word.find_first_not_of("0123456789+-.eE") == std::string_view::npos &&
-         word.find_first_of("0123456789") != std::string_view::npos &&
-         word.find_last_of("0123456789.") == word.size() - 1;
+// In any locale. NaN for what is no number.
+double numberIn(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double value = 0;
+  const char* const end = word.data() + word.size();
+  const auto [rest, error] = std::from_chars(word.data(), end, value);
+  if (rest != end || error == std::errc::invalid_argument) return std::nan("");
+  if (error == std::errc()) return value;
+  const bool too_small = word.find("e-") != word.npos || word.find("E-") != word.npos;
+  return too_small ? 0 : HUGE_VAL;
 }
 
-// What tinyobjloader calls, line by line. It gives the numbers; what it lets pass is checked here.
+// What tinyobjloader calls, line by line. It gives faces and names. Its numbers are floats, which
+// do not resolve a model far from the origin, and "nan", "inf" and "1.#IND" become 0 or 1; so they
+// are read here.
 class Collector : public tinyobj::MaterialReader {
  public:
   Collector(std::string_view text, const std::string& path) : lines_(text), path_(path) {}
 
   ObjMesh collect() {
     tinyobj::callback_t callback;
-    callback.vertex_cb = [](void* self, float x, float y, float z, float) {
-      static_cast<Collector*>(self)->addPosition(Vec3(x, y, z));
+    callback.vertex_cb = [](void* self, float, float, float, float) {
+      static_cast<Collector*>(self)->addPosition();
     };
-    callback.normal_cb = [](void* self, float x, float y, float z) {
-      static_cast<Collector*>(self)->addNormal(Vec3(x, y, z));
+    callback.normal_cb = [](void* self, float, float, float) {
+      static_cast<Collector*>(self)->addNormal();
     };
     callback.index_cb = [](void* self, tinyobj::index_t* corners, int count) {
       static_cast<Collector*>(self)->addFace(corners, count);
@@ -64,7 +82,8 @@ class Collector : public tinyobj::MaterialReader {
     takeWord(rest);
     rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
     std::vector<std::string>& libraries = mesh_.material_libraries;
-    if (std::find(libraries.begin(), libraries.end(), rest) == libraries.end()) {
+    if (is_library_.insert(std::string(rest)).second) {
+      demandFewer(libraries.size(), kMostNames, "material files");
       libraries.emplace_back(rest);
     }
     return true;
@@ -75,25 +94,33 @@ class Collector : public tinyobj::MaterialReader {
     throw Error(ErrorKind::input, fmt::format("{}:{}: {}", path_, lines_.number(), what));
   }
 
-  // The value, or NaN where the line does not have three numbers.
-  Vec3 checked(const Vec3& value) const {
+  void demandFewer(std::size_t count, std::size_t most, const char* what) const {
+    if (count < most) return;
+    fail(fmt::format("more than {} {}; use a coarser model", grouped(most), what));
+  }
+
+  // The line's three numbers, NaN for each that is none.
+  glm::dvec3 vectorOfLine() const {
     std::string_view rest = lines_.line();
     takeWord(rest);
-    for (int i = 0; i < 3; ++i) {
-      if (!looksLikeNumber(takeWord(rest))) return Vec3(std::nanf(""));
-    }
+    glm::dvec3 value{0};
+    for (int axis = 0; axis < 3; ++axis) value[axis] = numberIn(takeWord(rest));
     return value;
   }
 
-  void addPosition(const Vec3& position) {
+  void addPosition() {
     std::string_view rest = lines_.line();
     for (int i = 0; i < 4; ++i) {
       if (takeWord(rest).empty()) fail("a vertex needs three numbers; export the model again");
     }
-    mesh_.positions.push_back(checked(position));
+    demandFewer(mesh_.positions.size(), kMostVertices, "vertices");
+    mesh_.positions.push_back(vectorOfLine());
   }
 
-  void addNormal(const Vec3& normal) { mesh_.normals.push_back(checked(normal)); }
+  void addNormal() {
+    demandFewer(mesh_.normals.size(), kMostVertices, "normals");
+    mesh_.normals.emplace_back(vectorOfLine());
+  }
 
   // From OBJ's count, which begins at 1 and runs backwards when negative.
   std::uint32_t indexOf(int number, std::size_t count, const char* what) const {
@@ -111,6 +138,8 @@ class Collector : public tinyobj::MaterialReader {
   }
 
   void addFace(const tinyobj::index_t* corners, int count) {
+    demandFewer(mesh_.faces.size(), kMostFaces, "faces");
+    demandFewer(mesh_.corners.size() + static_cast<std::size_t>(count), kMostCorners, "corners");
     ObjMesh::Face face{};
     face.first_corner = mesh_.corners.size();
     face.corner_count = static_cast<std::uint32_t>(count);
@@ -132,7 +161,10 @@ class Collector : public tinyobj::MaterialReader {
     name.remove_prefix(std::min(name.find_first_not_of(" \t"), name.size()));
     const auto next = static_cast<std::uint32_t>(mesh_.material_names.size());
     const auto [entry, is_new] = material_of_name_.try_emplace(std::string(name), next);
-    if (is_new) mesh_.material_names.emplace_back(name);
+    if (is_new) {
+      demandFewer(next, kMostNames, "materials");
+      mesh_.material_names.emplace_back(name);
+    }
     material_ = entry->second;
   }
 
@@ -141,6 +173,7 @@ class Collector : public tinyobj::MaterialReader {
   ObjMesh mesh_;
   std::uint32_t material_ = kNoIndex;
   std::unordered_map<std::string, std::uint32_t> material_of_name_;
+  std::unordered_set<std::string> is_library_;
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ struct ObjMesh {
     std::size_t line;
   };
 
-  std::vector<Vec3> positions;  // NaN where the file has no number
+  std::vector<glm::dvec3> positions;  // NaN where the file has no number
   std::vector<Vec3> normals;
   std::vector<Corner> corners;  // not negative, but not checked against the sizes
   std::vector<Face> faces;

@@ -1,15 +1,12 @@
 #include "renderer/scene/polygon.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace glimt {
 namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
-
-// Polygons that take more comparisons than this are cut without looking for what is inside an ear,
-// so that one absurd face cannot hold up a file.
-constexpr int kMostComparisons = 4'000'000;
 
 // Newell's method: the direction that the polygon faces, and twice its area as the length.
 glm::dvec3 newellNormal(const std::vector<Vec3>& points) {
@@ -77,8 +74,8 @@ void splitConvex(std::uint32_t first, std::uint32_t last, Triangles& out) {
 // Cuts ears off a polygon whose corners are linked in a ring.
 class EarCutter {
  public:
-  explicit EarCutter(const std::vector<glm::dvec2>& flat)
-      : flat_(flat), next_(flat.size()), previous_(flat.size()) {
+  EarCutter(const std::vector<glm::dvec2>& flat, std::int64_t& comparisons)
+      : flat_(flat), next_(flat.size()), previous_(flat.size()), comparisons_(comparisons) {
     const auto n = static_cast<std::uint32_t>(flat.size());
     for (std::uint32_t i = 0; i < n; ++i) {
       next_[i] = (i + 1) % n;
@@ -112,10 +109,10 @@ class EarCutter {
     const glm::dvec2& a = flat_[previous_[corner]];
     const glm::dvec2& b = flat_[corner];
     const glm::dvec2& c = flat_[next_[corner]];
-    if (++comparisons_ > kMostComparisons) return true;
+    if (--comparisons_ <= 0) return true;
     if (!(turn(a, b, c) > 0)) return false;
     for (std::uint32_t i = next_[next_[corner]]; i != previous_[corner]; i = next_[i]) {
-      if (++comparisons_ > kMostComparisons) return true;
+      if (--comparisons_ <= 0) return true;
       const glm::dvec2& p = flat_[i];
       // A corner that touches another one (a hole cut open along a bridge) does not block it.
       if (p == a || p == b || p == c) continue;
@@ -127,16 +124,23 @@ class EarCutter {
   const std::vector<glm::dvec2>& flat_;
   std::vector<std::uint32_t> next_;
   std::vector<std::uint32_t> previous_;
-  int comparisons_ = 0;
+  std::int64_t& comparisons_;  // that are left
 };
 
 }  // namespace
 
-Triangles triangulate(const std::vector<Vec3>& points) {
+Triangles triangulate(const std::vector<Vec3>& points, std::int64_t& effort) {
   if (points.size() < 3) return {};
   if (points.size() == 3) return {{0, 1, 2}};
   const std::vector<glm::dvec2> flat = flattened(points);
-  if (!isConvex(flat)) return EarCutter(flat).cut();
+  if (!isConvex(flat)) {
+    // One absurd polygon leaves something for the others.
+    std::int64_t comparisons = std::min(effort, kEffortForPolygon);
+    effort -= comparisons;
+    Triangles cut = EarCutter(flat, comparisons).cut();
+    effort += std::max<std::int64_t>(comparisons, 0);
+    return cut;
+  }
   if (points.size() == 4) return splitQuad(points);
   Triangles out;
   out.reserve(points.size() - 2);

@@ -58,6 +58,9 @@ struct RenderDefaults {
 
 struct Scene {
   std::string name;
+  // Where the scene's coordinates begin, in those of its file: a model far from the file's origin
+  // is moved there, so that floats resolve it. Positions and the camera are relative to it.
+  glm::dvec3 origin{0};
   std::vector<Vec3> positions;  // world space, metres, finite
   std::vector<Vec3> normals;    // unit length
   std::vector<Triangle> triangles;

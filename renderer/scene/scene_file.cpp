@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <unordered_map>
 
 #include "renderer/core/error.h"
 #include "renderer/core/image_file.h"
@@ -23,19 +24,23 @@ constexpr double kLargestFloat = std::numeric_limits<float>::max();
 
 constexpr Range kCoordinate = {-kLargestCoordinate, kLargestCoordinate,
                                "a number of metres between -1e8 and 1e8"};
+// Of the file, whose model may be far from its origin; load_scene.cpp asks for less.
+constexpr Range kPlace = {-1e15, 1e15, "a number of metres between -1e15 and 1e15"};
 constexpr Range kFinite = {-kLargestFloat, kLargestFloat, "a number"};
 constexpr Range kPositive = {0, kLargestFloat, "a number that is not negative"};
 constexpr Range kUnit = {0, 1, "a number between 0 and 1"};
 constexpr Range kIor = {1, 1000, "a number between 1 and 1000"};
 constexpr Range kFov = {0, 180, "a number between 0 and 180", true};
+// A size that the command line asks for may be larger: a scene file may come from anyone.
+constexpr int kMostPixels = 1 << 26;
 constexpr Range kPixels = {1, 16384, "an integer between 1 and 16384"};
 constexpr Range kBounces = {0, 1000, "an integer between 0 and 1000"};
 constexpr Range kExposure = {-100, 100, "a number between -100 and 100"};
 
 CameraSettings readCamera(const JsonFields& fields) {
   CameraSettings camera;
-  camera.position = fields.vector("position", kCoordinate);
-  camera.target = fields.vector("target", kCoordinate);
+  camera.position = fields.point("position", kPlace);
+  camera.target = fields.point("target", kPlace);
   camera.up = fields.vector("up", kCoordinate);
   camera.vertical_fov = fields.number("vertical_fov", kFov);
   if (camera.up == Vec3(0)) fields.reject("up", "a direction");
@@ -118,6 +123,9 @@ void apply(const MaterialSettings& settings, Material& material) {
 RenderDefaults readRender(const JsonFields& fields) {
   RenderDefaults render;
   render.size = fields.integers("size", kPixels);
+  if (render.size && (*render.size)[0] * (*render.size)[1] > kMostPixels) {
+    fields.reject("size", fmt::format("at most {} pixels in all", grouped(kMostPixels)));
+  }
   render.bounces = fields.integer("bounces", kBounces);
   render.exposure = fields.number("exposure", kExposure);
   return render;
@@ -126,8 +134,8 @@ RenderDefaults readRender(const JsonFields& fields) {
 }  // namespace
 
 SceneFile readSceneFile(const fs::path& path) {
-  const nlohmann::json document = readJson(path, kDeepest);
-  const JsonFields fields(path, "", document,
+  const JsonDocument document = readJson(path, kDeepest);
+  const JsonFields fields(document, "", document.value,
                           {"model", "camera", "environment", "materials", "render"});
   SceneFile file;
   const std::optional<std::string> model = fields.text("model");
@@ -139,24 +147,25 @@ SceneFile readSceneFile(const fs::path& path) {
   file.model = path.parent_path() / fs::path(*model);
   if (const auto* camera = fields.object("camera")) {
     file.camera = readCamera(
-        JsonFields(path, "camera", *camera, {"position", "target", "up", "vertical_fov"}));
+        JsonFields(document, "camera", *camera, {"position", "target", "up", "vertical_fov"}));
   }
   if (const auto* environment = fields.object("environment");
       environment && !environment->empty()) {
-    file.environment = readEnvironment(
-        JsonFields(path, "environment", *environment, {"color", "image", "strength", "rotation"}),
-        path.parent_path(), file.warnings);
+    file.environment = readEnvironment(JsonFields(document, "environment", *environment,
+                                                  {"color", "image", "strength", "rotation"}),
+                                       path.parent_path(), file.warnings);
   }
   if (const auto* materials = fields.object("materials")) {
     for (const auto& [name, value] : materials->items()) {
-      const JsonFields material(path, fmt::format("materials.{}", printable(name)), value,
+      const JsonFields material(document, fmt::format("materials.{}", printable(name)), value,
                                 {"base_color", "metallic", "roughness", "ior", "transmission",
                                  "emission", "clearcoat", "double_sided"});
       file.materials.push_back(readMaterial(name, material));
     }
   }
   if (const auto* render = fields.object("render")) {
-    file.render = readRender(JsonFields(path, "render", *render, {"size", "bounces", "exposure"}));
+    file.render =
+        readRender(JsonFields(document, "render", *render, {"size", "bounces", "exposure"}));
   }
   return file;
 }
@@ -164,14 +173,15 @@ SceneFile readSceneFile(const fs::path& path) {
 void applyMaterials(const SceneFile& file, Scene& scene) {
   std::vector<std::string> unknown;
   std::vector<std::string> simplified;
+  std::unordered_map<std::string_view, Material*> material_of_name;
+  for (Material& material : scene.materials) material_of_name.try_emplace(material.name, &material);
   for (const MaterialSettings& settings : file.materials) {
-    const auto material =
-        std::find_if(scene.materials.begin(), scene.materials.end(),
-                     [&](const Material& candidate) { return candidate.name == settings.name; });
-    if (material == scene.materials.end()) {
+    const auto found = material_of_name.find(settings.name);
+    if (found == material_of_name.end()) {
       unknown.push_back(settings.name);
       continue;
     }
+    Material* const material = found->second;
     apply(settings, *material);
     if (settings.beyond) simplified.push_back(settings.name);
   }

@@ -8,6 +8,7 @@
 
 #include "renderer/core/error.h"
 #include "renderer/shader/embedded_files.h"
+#include "renderer/shader/records.h"
 #include "renderer/shader/traversals.h"
 
 namespace glimt {
@@ -24,7 +25,8 @@ constexpr unsigned kLight = bit(Pass::light);
 constexpr unsigned kWholePath = bit(Pass::display) << 1;  // no pass; see composePathProbe
 constexpr unsigned kPaths = kCamera | kTrace | kLight | kWholePath;
 constexpr unsigned kBounces = kTrace | kLight | kWholePath;  // start from a hit record
-constexpr unsigned kArrivals = kLight | kWholePath;          // ask for the light at a hit
+constexpr unsigned kMeans = bit(Pass::accumulate) | bit(Pass::close_block) | bit(Pass::display);
+constexpr unsigned kArrivals = kLight | kWholePath;  // ask for the light at a hit
 
 // When a file is part of a shader: where the scene calls for one of some effects, and for none of
 // some others.
@@ -65,10 +67,14 @@ struct Piece {
 // Stands for the files of the traversal that was asked for.
 constexpr const char* kTraversal = "traverse_*.glsl";
 
+// Stand for the files of the record that was asked for.
+constexpr const char* kRecordInput = "*_record_input.glsl";
+constexpr const char* kRecordOutput = "*_record_output.glsl";
+
 // In the order in which they are put together: a file comes after those that it calls.
 const auto kPieces = std::to_array<Piece>({
     {"layout.h", kPaths, {}},
-    {"picture.glsl", kPaths | kEscape | bit(Pass::accumulate), {}},
+    {"picture.glsl", kPaths | kEscape | bit(Pass::accumulate) | bit(Pass::close_block), {}},
     {"constants.glsl", kPaths | kEscape, {}},
     {"sample_points.glsl", kPaths, {}},
     {"float_fields.glsl", kPaths | kEscape, {}},
@@ -93,6 +99,7 @@ const auto kPieces = std::to_array<Piece>({
     {"triangle_data.glsl", kPaths, {}},
     {"material_data.glsl", kBounces, {}},
     {"normal_data.glsl", kBounces, with(Effect::smooth_normals)},
+    {"shadow_terminator.glsl", kBounces, with(Effect::smooth_normals)},
     {"surface.glsl", kBounces, {}},
     {"gloss_albedo.glsl", kBounces, with(kReflecting)},
     {"lambert_data.glsl", kBounces, without(kLayered)},
@@ -108,6 +115,8 @@ const auto kPieces = std::to_array<Piece>({
     {"environment_map.glsl", kBounces | kEscape, with(Effect::environment_map)},
     {"light_sample.glsl", kArrivals, {}},
     {"radiance_target.glsl", kLight | kEscape, {}},
+    {kRecordInput, kTrace | kEscape | kLight, {}},
+    {kRecordOutput, kCamera | kTrace, {}},
     {"trace.glsl", kCamera | kTrace | kWholePath, {}},
     {"trace_pass.glsl", kCamera | kTrace, {}},
     {"escape.glsl", kEscape | kWholePath, with(Effect::environment)},
@@ -115,7 +124,9 @@ const auto kPieces = std::to_array<Piece>({
     {"light.glsl", kArrivals, {}},
     {"light_pass.glsl", kLight, {}},
     {"whole_path.glsl", kWholePath, {}},
+    {"sample_mean.glsl", kMeans, {}},
     {"accumulate.glsl", bit(Pass::accumulate), {}},
+    {"close_block.glsl", bit(Pass::close_block), {}},
     {"display_transform.glsl", bit(Pass::display), {}},
     {"display.glsl", bit(Pass::display), {}},
 });
@@ -151,12 +162,19 @@ std::string defines(unsigned pass, const EffectSet& effects, bool additive_blend
   return text;
 }
 
-std::string pieces(unsigned pass, const EffectSet& effects, const std::string& traversal) {
+std::string pieces(unsigned pass, const EffectSet& effects, const std::string& traversal,
+                   const std::string& record) {
+  const auto textOf = [&](const char* file) {
+    if (file == kTraversal) return traversalText(traversal);
+    if (file == kRecordInput) return shaderText(recordNamed(record).input_file);
+    if (file == kRecordOutput) return shaderText(recordNamed(record).output_file);
+    return shaderText(file);
+  };
   std::string text;
   for (const Piece& piece : kPieces) {
     if (!(piece.passes & pass)) continue;
     if (!isMet(piece.condition, effects)) continue;
-    text += piece.file == kTraversal ? traversalText(traversal) : shaderText(piece.file);
+    text += textOf(piece.file);
   }
   return text;
 }
@@ -164,7 +182,8 @@ std::string pieces(unsigned pass, const EffectSet& effects, const std::string& t
 }  // namespace
 
 std::string nameOf(Pass pass) {
-  constexpr std::array kNames{"camera", "trace", "escape", "light", "accumulate", "display"};
+  constexpr std::array kNames{"camera",     "trace",       "escape", "light",
+                              "accumulate", "close block", "display"};
   return kNames[static_cast<std::size_t>(pass)];
 }
 
@@ -184,7 +203,7 @@ std::string composeFragmentShader(const ShaderRequest& request) {
   const unsigned pass = bit(request.pass);
   return startFor(request.gles) +
          defines(pass, request.effects, request.additive_blending, request.live_only) +
-         pieces(pass, request.effects, request.traversal);
+         pieces(pass, request.effects, request.traversal, request.record);
 }
 
 std::string composeFragmentShader(Pass pass) {
@@ -223,7 +242,7 @@ std::string composeTraversalProbe(const std::string& traversal, const std::strin
 std::string composePathProbe(const EffectSet& effects, const std::string& traversal,
                              const std::string& text) {
   return startFor(traversalNamed(traversal).gles) + defines(kWholePath, effects, false, false) +
-         pieces(kWholePath, effects, traversal) + text;
+         pieces(kWholePath, effects, traversal, "packed") + text;
 }
 
 }  // namespace glimt

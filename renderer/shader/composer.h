@@ -10,19 +10,21 @@
 namespace glimt {
 
 enum class Pass {
-  camera,      // camera ray -> hit record
-  trace,       // hit record -> next hit record
-  escape,      // hit record that has left the scene -> radiance
-  light,       // hit record on a surface -> radiance
-  accumulate,  // radiance -> mean
-  display,     // mean -> display values
+  camera,       // camera ray -> hit record
+  trace,        // hit record -> next hit record
+  escape,       // hit record that has left the scene -> radiance
+  light,        // hit record on a surface -> radiance
+  accumulate,   // radiance -> sum of a block of samples
+  close_block,  // sum of a block -> mean
+  display,      // mean -> display values
 };
-inline constexpr std::size_t kPassCount = 6;
+inline constexpr std::size_t kPassCount = 7;
 
 struct ShaderRequest {
   Pass pass = Pass::display;
   EffectSet effects;
   std::string traversal = "octant";  // see traversals.h
+  std::string record = "packed";     // see records.h
   bool additive_blending = true;     // radiance is added by blending, not by reading
   bool live_only = false;            // draws are limited to live paths; see escape_pass.glsl
   int gles = 2;                      // the OpenGL ES version whose language it is written in
@@ -34,10 +36,10 @@ std::string nameOf(Pass pass);
 // Vertex shader of every pass, in the language that the fragment shader is in.
 std::string composeVertexShader(int gles = 2);
 
-// Errors: usage, for a traversal that does not exist.
+// Errors: usage, for a traversal or a record that does not exist.
 std::string composeFragmentShader(const ShaderRequest& request);
 
-// The same for a pass that depends on nothing but itself: accumulate, display.
+// The same for a pass that depends on nothing but itself: accumulate, close_block, display.
 std::string composeFragmentShader(Pass pass);
 
 // A fragment shader from the prelude, the named files and some text of the caller's own: for probes

@@ -9,7 +9,8 @@
 namespace glimt::test {
 
 // `alter` changes the functions of `real`, which stays current and outlives what comes back. The
-// altered context is one of its own for everything that asks it.
+// altered context is one of its own for everything that asks it. It has GetGraphicsResetStatus only
+// where its extensions say so.
 inline std::unique_ptr<gl::Context> alteredContext(
     const gl::Context& real, const std::function<void(gl::Functions&)>& alter) {
   gl::Functions functions = real.functions();
@@ -19,6 +20,8 @@ inline std::unique_ptr<gl::Context> alteredContext(
   if (std::string("gl" #member) == name) return reinterpret_cast<void*>(functions.member);
     GLIMT_GL_FUNCTIONS(GLIMT_GL_FIND)
 #undef GLIMT_GL_FIND
+    if (std::string(name).starts_with("glGetGraphicsResetStatus"))
+      return reinterpret_cast<void*>(functions.GetGraphicsResetStatus);
     return nullptr;
   });
 }

@@ -5,6 +5,7 @@
 #include "renderer/probes/guard_probes.h"
 #include "renderer/probes/number_probes.h"
 #include "renderer/shader/composer.h"
+#include "renderer/shader/records.h"
 #include "tests/gpu/contexts.h"
 #include "tests/shader/report.h"
 
@@ -57,15 +58,19 @@ TEST_CASE("texels, pixel centres beyond 2048 and calculated numbers are exact, t
 // The test above shows why.
 TEST_CASE("every pass writes its texel once, under no condition") {
   const std::string prelude = shaderText("prelude.glsl");
-  for (const Pass pass :
-       {Pass::camera, Pass::trace, Pass::escape, Pass::light, Pass::accumulate, Pass::display}) {
-    CAPTURE(nameOf(pass));
-    ShaderRequest request;
-    request.pass = pass;
-    request.effects.set();
-    const std::string text = composeFragmentShader(request);
-    CHECK(countOf("writeTexel(", text) == countOf("writeTexel(", prelude) + 1);
-    CHECK(countOf("\n  writeTexel(", text) == 1);  // in main, or in what it ends with
-    CHECK(countOf("gl_FragColor", text) == countOf("gl_FragColor", prelude));
-  }
+  for (const Record& record : records())
+    for (const Pass pass : {Pass::camera, Pass::trace, Pass::escape, Pass::light, Pass::accumulate,
+                            Pass::close_block, Pass::display}) {
+      CAPTURE(record.name, nameOf(pass));
+      ShaderRequest request;
+      request.pass = pass;
+      request.record = record.name;
+      request.gles = record.gles;
+      request.effects.set();
+      const std::string text = composeFragmentShader(request);
+      const std::string start = record.gles < 3 ? prelude : prelude + shaderText("es3.glsl");
+      CHECK(countOf("writeTexel(", text) == countOf("writeTexel(", prelude) + 1);
+      CHECK(countOf("\n  writeTexel(", text) == 1);  // in main, or in what it ends with
+      CHECK(countOf("gl_FragColor", text) == countOf("gl_FragColor", start));
+    }
 }

@@ -54,7 +54,7 @@ std::vector<Vec3> pictureOf(gl::Device& device, bool switched) {
       tracer.use(tracer.candidates()[static_cast<std::size_t>(tracer.samples()) % 2]);
   }
   std::vector<Vec3> picture;
-  for (const Vec4& texel : tracer.film().mean.front().readFloats()) picture.emplace_back(texel);
+  for (const Vec4& texel : tracer.accumulation().readMean()) picture.emplace_back(texel);
   return picture;
 }
 

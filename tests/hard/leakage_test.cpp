@@ -1,7 +1,10 @@
 // No ray leaves a closed mesh. Outside everything shines, inside nothing does: what the picture of
 // a camera inside holds has come through the walls.
 #include <catch2/catch.hpp>
+#include <cstdlib>
+#include <iostream>
 
+#include "renderer/bench/knot.h"
 #include "tests/hard/hard_case.h"
 #include "tests/image/pictures.h"
 #include "tests/image/scenes.h"
@@ -34,29 +37,71 @@ Scene sphere() {
   return shiningOutside(scene);
 }
 
-// Pixels that have seen any light of outside.
-double lit(const Scene& scene, int size, int samples) {
-  ContextHandle context = hardContext();
-  Renderer renderer(context, scene, settingsFor(size, kBounces));
-  while (renderer.samples() < samples) renderer.renderSample();
+// The tube of 70,000 triangles, or of 2,100 on slow drivers, along its middle.
+Scene knot() {
+  Scene scene;
+  add(scene, lambert("wall", Vec3(1)));
+  addKnot(scene, slowDriver() ? KnotSize{70, 15} : KnotSize{648, 54});
+  scene.camera.position = Vec3(3, 0, 0);
+  scene.camera.target = Vec3(3, 0.6f, 0.3f);
+  scene.camera.vertical_fov = 80;
+  return shiningOutside(scene);
+}
+
+int litPixels(Renderer& renderer) {
   CHECK(renderer.nonfinitePixels() == 0);
-  double count = 0;
+  int count = 0;
   for (const Vec3& pixel : renderer.radiance().pixels) count += pixel.x + pixel.y + pixel.z > 0;
   return count;
 }
 
+// Pixels that have seen any light of outside.
+int lit(const Scene& scene, int size, int samples) {
+  ContextHandle context = hardContext();
+  Renderer renderer(context, scene, settingsFor(size, kBounces));
+  while (renderer.samples() < samples) renderer.renderSample();
+  return litPixels(renderer);
+}
+
+// How many rays the long test sends at least, into each mesh. A billion is a night's work.
+double longTestRays() {
+  const char* rays = std::getenv("GLIMT_HARD_RAYS");
+  return rays ? std::atof(rays) : 1e8;
+}
+
+void sendManyRays(const std::string& name, const Scene& scene) {
+  ContextHandle context = hardContext();
+  Renderer renderer(context, scene, settingsFor(512, kBounces));
+  renderer.renderSample();
+  const RenderStatistics sample = renderer.statistics();
+  const double rays = sample.camera_rays + sample.bounce_rays + sample.shadow_rays;
+  while (rays * renderer.samples() < longTestRays()) renderer.renderSample();
+  std::cout << name << ": " << rays * renderer.samples() << " rays\n";
+  checkAtMost("leakage", name + ", 1e8 rays", "pixels with light of outside", litPixels(renderer),
+              0);
+}
+
 }  // namespace
 
-TEST_CASE("no ray leaves a closed box or a closed sphere of 2,048 triangles") {
+TEST_CASE("no ray leaves a closed box, sphere of 2,048 or knot of 70,000 triangles") {
   const int size = slowDriver() ? 16 : 64;
   const int samples = slowDriver() ? 4 : 32;
   const std::string what = "pixels with light of outside";
   checkAtMost("leakage", "box", what, lit(box(), size, samples), 0);
   checkAtMost("leakage", "sphere", what, lit(sphere(), size, samples), 0);
+  checkAtMost("leakage", "knot", what, lit(knot(), size, samples), 0);
 }
 
 TEST_CASE("a box with a hole is found out") {
   Scene open = box();
   open.triangles.pop_back();
   CHECK(lit(open, 16, 4) > 0);
+}
+
+// Takes minutes on llvmpipe, and a day on the interpreters.
+TEST_CASE("none of 1e8 rays leaves a closed box, sphere or knot", "[long]") {
+  if (slowDriver()) return;
+  sendManyRays("box", box());
+  sendManyRays("sphere", sphere());
+  sendManyRays("knot", knot());
 }

@@ -27,7 +27,9 @@ namespace {
 #include "shaders/warp.glsl"
 #include "shaders/lambert.glsl"
 #include "shaders/ray_origin.glsl"
+#include "shaders/shadow_terminator.glsl"
 #include "shaders/multiple_importance.glsl"
+#include "shaders/sample_mean.glsl"
 #include "shaders/display_transform.glsl"
 // clang-format on
 }  // namespace

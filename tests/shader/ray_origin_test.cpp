@@ -24,6 +24,14 @@ Corners randomTriangle(test::Random& random, float offset, float thin) {
   return {center, center + a, center + 0.5f * a + thin * b};
 }
 
+// A needle with vertex 0 across from its longest edge, about one in length and `thin` in width.
+Corners randomNeedle(test::Random& random, float offset, float thin) {
+  const vec3 center = offset * random.cube();
+  const vec3 along = random.direction();
+  const vec3 across = thin * frameAround(along).tangent;
+  return {center, center + across, center + along + random.uniform(0, 1) * across};
+}
+
 // At least `lift` radians above the plane.
 vec3 leavingDirection(test::Random& random, const vec3& normal, float lift) {
   const Frame frame = frameAround(normal);
@@ -37,12 +45,13 @@ struct Counts {
   int rays = 0;
 };
 
-Counts countSelfHits(float thinnest) {
+template <typename MakeTriangle>
+Counts countSelfHits(float thinnest, const MakeTriangle& makeTriangle) {
   test::Random random(20);
   Counts counts;
   while (counts.rays < 2000000) {
     const float offset = random.below(8) ? random.logUniform(0.01f, 1e4f) : 0.0f;
-    const Corners t = randomTriangle(random, offset, random.logUniform(thinnest, 1));
+    const Corners t = makeTriangle(random, offset, random.logUniform(thinnest, 1));
     const vec3 cross_product = cross(t.v1 - t.v0, t.v2 - t.v0);
     // At a large offset the rounding of the corners can leave nothing of a thin triangle.
     if (!(glm::length(cross_product) > 1e-6f)) continue;
@@ -64,13 +73,27 @@ Counts countSelfHits(float thinnest) {
 }  // namespace
 
 TEST_CASE("a ray that leaves a triangle never hits it again") {
-  const Counts counts = countSelfHits(0.1f);
+  const Counts counts = countSelfHits(0.1f, randomTriangle);
   test::report("ray origin: {} of {} rays hit their own triangle", counts.hits, counts.rays);
   CHECK(counts.hits == 0);
 }
 
 TEST_CASE("a ray that leaves a thin triangle never hits it again") {
-  const Counts counts = countSelfHits(1e-5f);
+  const Counts counts = countSelfHits(1e-5f, randomTriangle);
   test::report("ray origin: {} of {} rays hit their own thin triangle", counts.hits, counts.rays);
   CHECK(counts.hits == 0);
+}
+
+TEST_CASE(
+    "a ray that leaves a needle never hits it again, and starts as close as to other triangles") {
+  const Counts counts = countSelfHits(1e-5f, randomNeedle);
+  test::report("ray origin: {} of {} rays hit their own needle", counts.hits, counts.rays);
+  CHECK(counts.hits == 0);
+  test::Random random(21);
+  float worst = 0;  // in proportion to the needle's length, around the origin
+  for (int i = 0; i < 10000; ++i) {
+    const Corners t = randomNeedle(random, 0, random.logUniform(1e-6f, 0.1f));
+    worst = std::max(worst, errorScale(t.v0, t.v1, t.v2));
+  }
+  CHECK(worst < 1.2f);
 }

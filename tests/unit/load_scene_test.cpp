@@ -126,6 +126,28 @@ TEST_CASE("triangles beyond any reasonable distance are dropped with a warning")
   CHECK(warns(scene, "dropped 1 triangle with a vertex farther than"));
 }
 
+TEST_CASE("a model far from the file's origin is moved to its own, and keeps its shape") {
+  const Scene scene = loadObj(
+      "v 5e8 -2000000.75 0\nv 500000001 -2000000.75 0\nv 500000000 -1999999.65 0.1\nf 1 2 3\n"
+      "v 0 0 0\n");
+  CHECK(glm::distance(scene.origin, glm::dvec3(500000000.5, -2000000.2, 0.05)) < 1e-6);
+  CHECK(scene.positions[1] - scene.positions[0] == Vec3(1, 0, 0));
+  CHECK((scene.positions[2] - scene.positions[0]).y == Approx(1.1));
+  CHECK(glm::length(scene.camera.target) < 1e-6f);
+  CHECK(scene.warnings.size() == 1);  // of the light
+}
+
+TEST_CASE("a model that is some sizes from the file's origin stays where it is") {
+  const Scene scene = loadObj("v 10.1 0 0\nv 11 0 0\nv 10.1 1 0\nf 1 2 3\n");
+  CHECK(scene.origin == glm::dvec3(0));
+  CHECK(scene.positions[0] == Vec3(10.1f, 0, 0));
+}
+
+TEST_CASE("one vertex that is far off does not move the model") {
+  CHECK(loadObj(kTriangle + "v 1e30 0 0\nf 1 3 4\n").origin == glm::dvec3(0));
+  CHECK(loadObj(kTriangle + "v inf 0 0\nf 1 3 4\n").origin == glm::dvec3(0));
+}
+
 TEST_CASE("a model of which nothing is left is an empty scene with a warning") {
   const Scene scene = loadObj("v 0 0 0\nf 1 1 1\n");
   CHECK(scene.triangles.empty());

@@ -10,10 +10,15 @@ using namespace glimt;
 
 namespace {
 
+std::vector<std::array<std::uint32_t, 3>> cut(const std::vector<Vec3>& points) {
+  std::int64_t effort = kEffortForPolygon;
+  return triangulate(points, effort);
+}
+
 // The sum of the triangles' areas; negative for those that face against `facing`.
 double areaOf(const std::vector<Vec3>& points, const Vec3& facing) {
   double area = 0;
-  for (const auto& [a, b, c] : triangulate(points)) {
+  for (const auto& [a, b, c] : cut(points)) {
     const glm::dvec3 p(points[a]);
     const glm::dvec3 normal = glm::cross(glm::dvec3(points[b]) - p, glm::dvec3(points[c]) - p);
     const double size = 0.5 * glm::length(normal);
@@ -37,13 +42,13 @@ std::vector<Vec3> ring(std::size_t corners, float even_radius, float odd_radius)
 }  // namespace
 
 TEST_CASE("polygons of less than three corners have no triangles") {
-  CHECK(triangulate({}).empty());
-  CHECK(triangulate({Vec3(0), Vec3(1)}).empty());
+  CHECK(cut({}).empty());
+  CHECK(cut({Vec3(0), Vec3(1)}).empty());
 }
 
 TEST_CASE("a convex quadrangle is cut along its shorter diagonal") {
   const std::vector<Vec3> kite = {{0, 0, 0}, {1, -3, 0}, {2, 0, 0}, {1, 3, 0}};
-  CHECK(triangulate(kite) == std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}});
+  CHECK(cut(kite) == std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}});
 }
 
 TEST_CASE("a concave quadrangle is covered exactly, whichever corner it begins with") {
@@ -80,13 +85,25 @@ TEST_CASE("any polygon of n corners gives n - 2 triangles: lines, crossings, wha
       {{0, 0, 0}, {infinity, 0, 0}, {1, -infinity, 0}, {0, 1, 0}, {0, 2, 2}},
       {{0, 0, 0}, {3e38f, 0, 0}, {3e38f, 3e38f, 0}, {0, -3e38f, 0}, {-3e38f, 2, 2}}};
   for (const std::vector<Vec3>& points : polygons) {
-    CHECK(triangulate(points).size() == points.size() - 2);
+    CHECK(cut(points).size() == points.size() - 2);
   }
 }
 
 TEST_CASE("a polygon of very many corners takes no unreasonable time") {
   const std::size_t n = 100'000;
-  CHECK(triangulate(ring(n, 2, 2)).size() == n - 2);
-  CHECK(triangulate(ring(n, 2, 1)).size() == n - 2);
-  CHECK(triangulate(std::vector<Vec3>(n, Vec3(std::nanf("")))).size() == n - 2);
+  CHECK(cut(ring(n, 2, 2)).size() == n - 2);
+  CHECK(cut(ring(n, 2, 1)).size() == n - 2);
+  CHECK(cut(std::vector<Vec3>(n, Vec3(std::nanf("")))).size() == n - 2);
+}
+
+TEST_CASE("polygons that are not convex share an effort, and are still cut when it is used up") {
+  const std::vector<Vec3> star = ring(4000, 2, 1);
+  std::int64_t effort = 3 * kEffortForPolygon / 2;
+  for (const std::int64_t left : {kEffortForPolygon / 2, std::int64_t{0}, std::int64_t{0}}) {
+    CHECK(triangulate(star, effort).size() == star.size() - 2);
+    CHECK(effort >= left);
+  }
+  effort = 0;
+  CHECK(triangulate(star, effort).size() == star.size() - 2);
+  CHECK(effort == 0);
 }

@@ -1,4 +1,6 @@
 // The *.scene.json.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "renderer/core/image_file.h"
@@ -110,6 +112,22 @@ TEST_CASE("looking straight up or down works without saying where up is") {
   CHECK(along.camera.up == Vec3(0, 1, 0));
 }
 
+TEST_CASE("the camera is in the coordinates of the model's file, far from their origin too") {
+  const TemporaryFolder folder;
+  folder.write("model.obj", "v 4e7 0 0\nv 40000001 0 0\nv 4e7 1 0\nf 1 2 3\n");
+  const auto load = [&](const char* camera) {
+    return loadScene(folder.write(
+        "far.scene.json", fmt::format(R"({{"model": "model.obj", "camera": {{{}}}}})", camera)));
+  };
+  const Scene scene = load(R"("position": [40000000.25, 0.5, 3], "target": [40000000.25, 0.5, 0])");
+  CHECK(scene.origin == glm::dvec3(40000000.5, 0.5, 0));
+  CHECK(scene.camera.position == Vec3(-0.25f, 0, 3));
+  CHECK(scene.camera.target == Vec3(-0.25f, 0, 0));
+  CHECK_THAT(messageOf(ErrorKind::input, [&] { load(R"("position": [-4e8, 0, 0])"); }),
+             Catch::EndsWith("camera.position is farther than 100,000 km from the model; move it "
+                             "closer"));
+}
+
 TEST_CASE("a camera that is where it looks, or without an up, is an error") {
   const SceneFolder folder;
   CHECK_THAT(folder.error(R"("camera": {"position": [1, 1, 1], "target": [1, 1, 1]})"),
@@ -187,6 +205,12 @@ TEST_CASE("a scene file that is no JSON object with a model is an error, with th
     return messageOf(ErrorKind::input, [&] { loadScene(folder.write("bad.scene.json", text)); });
   };
   CHECK_THAT(error("{\n\"model\": \"model.obj\",\n}\n"), Catch::Contains("bad.scene.json:3: "));
+  CHECK_THAT(error("{\n\"model\": \"model.obj\",\n\"camera\": {\n\"fov\": 1}}"),
+             Catch::Contains("bad.scene.json:4: unknown key \"fov\" in camera"));
+  CHECK_THAT(error("{\"model\": \"model.obj\",\n\"render\":\n{\"bounces\":\n-1}}"),
+             Catch::Contains("bad.scene.json:3: render.bounces must be"));
+  CHECK_THAT(error("{\n\"model\": \"model.obj\",\n\"camera\": 7}"),
+             Catch::Contains("bad.scene.json:3: camera must be"));
   CHECK_THAT(error(""), Catch::Contains("no valid JSON"));
   CHECK_THAT(error("{\"model\": \"\xff\xfe\"}"), Catch::Contains("no valid JSON"));
   CHECK_THAT(error(std::string("{\0}", 3)), Catch::Contains("no valid JSON"));

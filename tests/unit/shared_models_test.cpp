@@ -10,6 +10,7 @@
 #include "renderer/scene/effects_of.h"
 #include "renderer/scene/framing.h"
 #include "renderer/scene/load_scene.h"
+#include "tests/hostile/safe_scene.h"
 #include "tests/unit/expect_error.h"
 #include "tests/unit/temporary_folder.h"
 
@@ -26,29 +27,8 @@ bool missing(const fs::path& path) {
   return true;
 }
 
-// What loadScene promises of every scene.
 void checkSafe(const Scene& scene) {
-  const auto unit = [](const Vec3& v) { return std::abs(glm::length(v) - 1) < 1e-5f; };
-  const auto finite = [](const Vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-  };
-  bool in_range = true;
-  for (const Triangle& t : scene.triangles) {
-    in_range = in_range && t.material < scene.materials.size();
-    for (const std::uint32_t i : t.positions) in_range = in_range && i < scene.positions.size();
-    for (const std::uint32_t i : t.normals) {
-      in_range = in_range && (t.smooth() ? i < scene.normals.size() : i == kNoIndex);
-    }
-  }
-  CHECK(in_range);
-  CHECK(std::all_of(scene.positions.begin(), scene.positions.end(), finite));
-  CHECK(std::all_of(scene.normals.begin(), scene.normals.end(), unit));
-  CHECK(finite(scene.camera.position));
-  CHECK(scene.camera.position != scene.camera.target);
-  CHECK(effectsOf(scene).any());
-  for (const std::string& warning : scene.warnings) {
-    CHECK(warning.find('\n') == std::string::npos);
-  }
+  CHECK(flawOf(scene) == "");
 }
 
 void checkSceneOrError(const fs::path& path) {
