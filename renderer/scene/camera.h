@@ -12,6 +12,11 @@ struct Camera {
   Vec3 target{0, 0, 0};
   Vec3 up{0, 1, 0};
   float vertical_fov = 40;  // degrees over the picture's height, in (0, 180)
+  // Above 0: a parallel projection, whose picture is so many metres high.
+  float orthographic_height = 0;
+  float aperture_radius = 0;  // of a thin lens, in metres; 0: all is sharp
+  float focus_distance = 1;   // metres along the view, where a lens is sharp
+  int aperture_blades = 0;    // corners of the lens, 3 or more; 0: it is round
 };
 
 // Unit vectors of a camera, and half the height of its picture at distance one.

@@ -160,7 +160,7 @@ TEST_CASE("without light the picture is black, exactly") {
   checkAtMost("light", "no light, environment of strength 0", "pixels that are not 0",
               litPixels(spot(scene, 4, 8)), 0);
   scene.materials[0] = lambert("black", Vec3(0));
-  scene.environment = Environment{Vec3(0), 1};
+  scene.environment = Environment();
   addLamp(scene, Vec3(0, 3, 0), 0.1f, add(scene, lamp(1e6f)));
   checkAtMost("light", "bright light on black surfaces", "pixels that are not 0",
               litPixels(spot(scene, 4, 8)), 0);
