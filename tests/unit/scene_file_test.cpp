@@ -194,7 +194,7 @@ TEST_CASE("values of a wrong type or out of range are errors that name key, rule
                            R"("render": {"exposure": "bright"})",
                            R"("render": {"exposure": 1e9})"}) {
     CAPTURE(rest);
-    CHECK_THAT(folder.error(rest), Catch::Contains("test.scene.json: ") &&
+    CHECK_THAT(folder.error(rest), Catch::Contains("test.scene.json:1: ") &&
                                        Catch::Contains(" must be ") && Catch::Contains(", not "));
   }
 }
