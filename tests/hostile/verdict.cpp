@@ -112,7 +112,7 @@ std::string faultOfRefusal(const RunResult& run, int status) {
     return !line.starts_with("glimt: warning: ");
   });
   if (errors != 1) return fmt::format("{} lines of errors{}", errors, last);
-  const std::string& line = run.lines.front();
+  const std::string& line = run.lines.back();
   const std::size_t what = line.find(": ", 7);
   if (!line.starts_with("glimt: ") || line.starts_with("glimt: unexpected") ||
       what == std::string::npos ||
