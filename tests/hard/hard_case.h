@@ -10,6 +10,7 @@ namespace glimt::test {
 
 // The driver under test, as GLIMT_HARD_DRIVER names it: "llvmpipe" (also without that variable),
 // "osmesa", "softpipe" or "zink". The caller's environment makes Mesa take it; see CMakeLists.txt.
+// Any other name is that of a driver which EGL finds by itself.
 std::string hardDriver();
 
 // A context of that driver. Errors: as createOffscreenContext.

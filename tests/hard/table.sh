@@ -36,7 +36,10 @@ END {
   if (broken) exit 1
   print "# Hard cases\n"
   print "Written by tests/hard/table.sh from reports of the hard cases. A figure has to be at most its"
-  print "bound; one that is not is bold and marked. A dash: the case did not run on that driver.\n"
+  print "bound; one that is not is bold and marked. A dash: the case did not run on that driver."
+  if ("nvidia" in seen)
+    print "nvidia is an H100 through EGL, with the same binaries; ./dev hard runs the others."
+  print ""
   printf "| Group | Case | Measured | Bound |"
   for (d = 1; d <= driverCount; ++d) printf " %s |", drivers[d]
   printf "\n|---|---|---|---:|"
