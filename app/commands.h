@@ -18,7 +18,8 @@ struct RenderOptions {
   std::optional<int> samples;     // --spp
   std::optional<double> seconds;  // --time
   Backend backend = Backend::automatic;
-  std::string json;  // a file, "-" for standard output, empty for none
+  std::filesystem::path shader_folder;  // empty: they are not written
+  std::string json;                     // a file, "-" for standard output, empty for none
   bool quiet = false;
 };
 

@@ -153,6 +153,10 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
         options.picture.record = parseChoice("--record", text, {"packed", "wide"});
       });
   addJson(command, options.json);
+  command
+      .add_option("--dump-shaders", options.shader_folder,
+                  "Write the shaders that the scene calls for into this folder")
+      ->type_name("DIR");
   command.add_flag("--quiet", options.quiet, "Say nothing but errors");
 }
 

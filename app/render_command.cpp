@@ -13,6 +13,7 @@
 #include "app/stopwatch.h"
 #include "renderer/core/display_transform.h"
 #include "renderer/core/error.h"
+#include "renderer/core/file.h"
 #include "renderer/core/image_file.h"
 #include "renderer/core/wording.h"
 #include "renderer/scene/effects_of.h"
@@ -42,6 +43,7 @@ class RenderCommand {
  private:
   void checkOutputs() const;
   Scene load();
+  void writeShaders(const Renderer& renderer) const;
   Renderer makeRenderer(ContextHandle& context, const Scene& scene);
   Sampling render(Renderer& renderer);
   std::string lossesOf(Renderer& renderer) const;
@@ -68,6 +70,7 @@ void RenderCommand::run() {
   report_.context = context.info();
   endIfInterrupted();
   Renderer renderer = makeRenderer(context, scene);
+  if (!options_.shader_folder.empty()) writeShaders(renderer);
   const Sampling sampling = render(renderer);
 
   writePictures(sampling.picture, exposureOf(options_.picture, scene));
@@ -90,6 +93,17 @@ Renderer RenderCommand::makeRenderer(ContextHandle& context, const Scene& scene)
     throw Error(ErrorKind::input,
                 fmt::format("{}: {}", printable(options_.scene.string()), error.what()));
   }
+}
+
+void RenderCommand::writeShaders(const Renderer& renderer) const {
+  std::error_code error;
+  std::filesystem::create_directories(options_.shader_folder, error);
+  if (error)
+    throw Error(ErrorKind::failed,
+                fmt::format("{}: cannot make the folder ({}); name another",
+                            printable(options_.shader_folder.string()), error.message()));
+  for (const auto& [pass, text] : renderer.shaders())
+    writeFile(options_.shader_folder / (pass + ".frag"), text);
 }
 
 void RenderCommand::checkOutputs() const {

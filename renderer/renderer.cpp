@@ -243,6 +243,10 @@ void Renderer::present(int framebuffer_width, int framebuffer_height, float expo
   state_->drawDisplay(framebuffer_width, framebuffer_height, exposure);
 }
 
+std::map<std::string, std::string> Renderer::shaders() const {
+  return state_->tracer.shaders();
+}
+
 RenderStatistics Renderer::statistics() const {
   const PathTracer& tracer = state_->tracer;
   RenderStatistics statistics;

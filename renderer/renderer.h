@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -142,6 +143,9 @@ class Renderer {
   void present(int framebuffer_width, int framebuffer_height, float exposure);
 
   RenderStatistics statistics() const;
+
+  // The fragment shaders of the passes, as they are compiled, by the passes' names.
+  std::map<std::string, std::string> shaders() const;
 
  private:
   class State;

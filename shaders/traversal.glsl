@@ -23,12 +23,11 @@ struct Hit {
 // Whether a triangle that intersectTriangle found at `t` is in the ray's way. One that the camera
 // stands on is not. A ray that leaves a surface may be rounded onto another one, and does not get past.
 bool isInTheWay(float t) {
-#ifdef FROM_CAMERA
 #if FROM_CAMERA && !FROM_RECORD
   return t > 0.0;
-#endif
-#endif
+#else
   return t >= 0.0;
+#endif
 }
 
 // Directions along an axis would multiply zero by infinity.

@@ -101,24 +101,35 @@ PathTracer::ProgramKey PathTracer::keyOf(Pass pass) const {
   return {traces ? traversal_ : "", pass};
 }
 
+ShaderRequest PathTracer::requestFor(Pass pass) const {
+  ShaderRequest request;
+  request.pass = pass;
+  request.effects = effects_;
+  request.traversal = traversal_;
+  request.record = record_.name;
+  request.additive_blending = device_->floatBlending();
+  request.live_only = live_only_;
+  request.gles = std::max(traversalNamed(traversal_).gles, record_.gles);
+  return request;
+}
+
+std::map<std::string, std::string> PathTracer::shaders() const {
+  std::map<std::string, std::string> texts;
+  for (const Stage& stage : stages_)
+    texts[nameOf(stage.pass)] = composeFragmentShader(requestFor(stage.pass));
+  return texts;
+}
+
 void PathTracer::compile(const WorkProgress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  const int gles = std::max(traversalNamed(traversal_).gles, record_.gles);
-  const std::string vertex = composeVertexShader(gles);
+  const std::string vertex = composeVertexShader(requestFor(Pass::camera).gles);
   for (const Stage& stage : stages_) {
     const bool accumulates = stage.pass == Pass::accumulate || stage.pass == Pass::close_block;
     if (accumulates || programs_.contains(keyOf(stage.pass))) continue;
     if (progress) progress(1);
-    ShaderRequest request;
-    request.pass = stage.pass;
-    request.effects = effects_;
-    request.traversal = traversal_;
-    request.record = record_.name;
-    request.additive_blending = device_->floatBlending();
-    request.live_only = live_only_;
-    request.gles = gles;
-    programs_.emplace(keyOf(stage.pass), gl::Program(device_->gl(), nameOf(stage.pass), vertex,
-                                                     composeFragmentShader(request)));
+    programs_.emplace(keyOf(stage.pass),
+                      gl::Program(device_->gl(), nameOf(stage.pass), vertex,
+                                  composeFragmentShader(requestFor(stage.pass))));
   }
   compile_seconds_ +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -68,6 +68,9 @@ class PathTracer {
   // each with its own number of samples.
   void takeBackSample();
 
+  // The fragment shaders of the passes in use, as they are compiled, by the passes' names.
+  std::map<std::string, std::string> shaders() const;
+
   int samples() const { return samples_; }
   const Film& film() const { return film_; }
   const Accumulation& accumulation() const { return accumulation_; }
@@ -91,6 +94,7 @@ class PathTracer {
   void planStages();
   void planBounce(int bounce);
   bool marksEnded(int bounce) const;
+  ShaderRequest requestFor(Pass pass) const;
   void compile(const WorkProgress& progress);
   gl::Tile nextTile(double pixels) const;
   void beginStage(const Stage& stage);

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <map>
 
 #include "renderer/core/error.h"
+#include "renderer/shader/branches.h"
 #include "renderer/shader/embedded_files.h"
 #include "renderer/shader/records.h"
 #include "renderer/shader/traversals.h"
@@ -144,22 +146,28 @@ std::string startFor(int gles) {
   return version + shaderText("prelude.glsl");
 }
 
-// What the files are told of the pass and, in `effects`, of the scene. `#if NAME` needs every name
-// defined, to 1 or to 0.
-std::string defines(unsigned pass, const EffectSet& effects, bool additive_blending,
-                    bool live_only) {
-  std::string text = fmt::format(
-      "#define FROM_CAMERA {:d}\n#define FROM_RECORD {:d}\n#define ADDITIVE_BLENDING {:d}\n"
-      "#define LIVE_ONLY {:d}\n",
-      (pass & (kCamera | kWholePath)) != 0, (pass & (kTrace | kWholePath)) != 0, additive_blending,
-      live_only);
+// As the shaders' `#if`s call an effect.
+std::string capitalsOf(Effect effect) {
+  std::string name = nameOf(effect);
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return name;
+}
+
+// What the `#if`s of the files ask for: the pass, the device and, in `effects`, the scene.
+std::map<std::string, bool> answers(unsigned pass, const EffectSet& effects, bool additive_blending,
+                                    bool live_only) {
+  std::map<std::string, bool> values = {
+      {"FROM_CAMERA", (pass & (kCamera | kWholePath)) != 0},
+      {"FROM_RECORD", (pass & (kTrace | kWholePath)) != 0},
+      {"ADDITIVE_BLENDING", additive_blending},
+      {"LIVE_ONLY", live_only},
+  };
   for (int i = 0; i < kEffectCount; ++i) {
-    std::string name = nameOf(static_cast<Effect>(i));
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    text += fmt::format("#define {} {:d}\n", name, effects[static_cast<std::size_t>(i)]);
+    const auto effect = static_cast<Effect>(i);
+    values[capitalsOf(effect)] = has(effects, effect);
   }
-  return text;
+  return values;
 }
 
 std::string pieces(unsigned pass, const EffectSet& effects, const std::string& traversal,
@@ -202,8 +210,8 @@ std::string composeVertexShader(int gles) {
 std::string composeFragmentShader(const ShaderRequest& request) {
   const unsigned pass = bit(request.pass);
   return startFor(request.gles) +
-         defines(pass, request.effects, request.additive_blending, request.live_only) +
-         pieces(pass, request.effects, request.traversal, request.record);
+         takeBranches(pieces(pass, request.effects, request.traversal, request.record),
+                      answers(pass, request.effects, request.additive_blending, request.live_only));
 }
 
 std::string composeFragmentShader(Pass pass) {
@@ -225,8 +233,9 @@ std::string composeTraversalProbe(const std::string& traversal, const std::strin
     for (const Insertion& insertion : insertions)
       if (insertion.file == file) shader += insertion.text;
   };
+  const std::map<std::string, bool> values = answers(0, {}, false, false);
   const auto add = [&](const std::string& file) {
-    shader += shaderText(file);
+    shader += takeBranches(shaderText(file), values);
     insertBehind(file);
   };
   insertBehind("prelude.glsl");
@@ -241,8 +250,10 @@ std::string composeTraversalProbe(const std::string& traversal, const std::strin
 
 std::string composePathProbe(const EffectSet& effects, const std::string& traversal,
                              const std::string& text) {
-  return startFor(traversalNamed(traversal).gles) + defines(kWholePath, effects, false, false) +
-         pieces(kWholePath, effects, traversal, "packed") + text;
+  return startFor(traversalNamed(traversal).gles) +
+         takeBranches(pieces(kWholePath, effects, traversal, "packed"),
+                      answers(kWholePath, effects, false, false)) +
+         text;
 }
 
 }  // namespace glimt

@@ -16,7 +16,10 @@ void demandLoadedOrRefused(Load&& load) {
     load();
   } catch (const Error& error) {
     const std::string message = error.what();
-    if (error.kind() == ErrorKind::input && message.find("; ") != std::string::npos &&
+    // What a value must be is what to do about it.
+    const bool says_what_to_do =
+        message.find("; ") != std::string::npos || message.find(" must be ") != std::string::npos;
+    if (error.kind() == ErrorKind::input && says_what_to_do &&
         message.find('\n') == std::string::npos) {
       return;
     }
