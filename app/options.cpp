@@ -76,6 +76,12 @@ void addPicture(CLI::App& command, PictureOptions& picture) {
         picture.exposure = static_cast<float>(
             parseNumberBetween("--exposure", text, -kMostExposure, kMostExposure));
       });
+  add(command, "--tone", "srgb|agx|aces",
+      "How light becomes the display's: clipped, or by a curve (the scene's, else srgb)",
+      [&](const std::string& text) {
+        picture.tone = toneNamed(
+            parseChoice("--tone", text, {std::begin(kToneNames), std::end(kToneNames)}));
+      });
   add(command, "--seed", "N", "Another seed, another noise (0)", [&](const std::string& text) {
     picture.seed = static_cast<std::uint32_t>(
         parseInteger("--seed", text, 0, std::numeric_limits<std::uint32_t>::max()));
@@ -243,6 +249,10 @@ RenderSettings settingsOf(const PictureOptions& options, const Scene& scene) {
 
 float exposureOf(const PictureOptions& options, const Scene& scene) {
   return options.exposure.value_or(scene.render.exposure.value_or(0.0f));
+}
+
+Tone toneOf(const PictureOptions& options, const Scene& scene) {
+  return options.tone.value_or(scene.render.tone.value_or(Tone::srgb));
 }
 
 }  // namespace glimt

@@ -30,6 +30,7 @@ struct PictureOptions {
   std::optional<std::array<int, 2>> size;
   std::optional<int> bounces;
   std::optional<float> exposure;  // EV
+  std::optional<Tone> tone;
   std::uint32_t seed = 0;
   std::string traversal = "auto";
   std::string record = "packed";
@@ -58,5 +59,6 @@ Camera cameraOf(const CameraOptions& options, const Scene& scene);
 // The command line, else the scene's file, else what is built in.
 RenderSettings settingsOf(const PictureOptions& options, const Scene& scene);
 float exposureOf(const PictureOptions& options, const Scene& scene);
+Tone toneOf(const PictureOptions& options, const Scene& scene);
 
 }  // namespace glimt

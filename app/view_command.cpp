@@ -43,7 +43,8 @@ int runView(const ViewOptions& options) {
                     [&](float fraction) { showTree(progress, fraction); });
   progress.clear();
 
-  const ViewerSettings viewer{scene.name, scene.camera, exposureOf(options.picture, scene)};
+  const ViewerSettings viewer{scene.name, scene.camera, exposureOf(options.picture, scene),
+                              toneOf(options.picture, scene)};
   Viewer(window, renderer, viewer).run();
   return 0;
 }

@@ -128,6 +128,11 @@ RenderDefaults readRender(const JsonFields& fields) {
   }
   render.bounces = fields.integer("bounces", kBounces);
   render.exposure = fields.number("exposure", kExposure);
+  if (const std::optional<std::string> tone = fields.text("tone")) {
+    if (std::find(kToneNames.begin(), kToneNames.end(), *tone) == kToneNames.end())
+      fields.reject("tone", "srgb, agx or aces");
+    render.tone = toneNamed(*tone);
+  }
   return render;
 }
 
@@ -165,7 +170,7 @@ SceneFile readSceneFile(const fs::path& path) {
   }
   if (const auto* render = fields.object("render")) {
     file.render =
-        readRender(JsonFields(document, "render", *render, {"size", "bounces", "exposure"}));
+        readRender(JsonFields(document, "render", *render, {"size", "bounces", "exposure", "tone"}));
   }
   return file;
 }

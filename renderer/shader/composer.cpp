@@ -71,6 +71,9 @@ constexpr const char* kTraversal = "traverse_*.glsl";
 constexpr const char* kRecordInput = "*_record_input.glsl";
 constexpr const char* kRecordOutput = "*_record_output.glsl";
 
+// Stands for the file of the tone that was asked for.
+constexpr const char* kTone = "tone_*.glsl";
+
 // In the order in which they are put together: a file comes after those that it calls.
 const auto kPieces = std::to_array<Piece>({
     {"layout.h", kPaths, {}},
@@ -128,6 +131,7 @@ const auto kPieces = std::to_array<Piece>({
     {"accumulate.glsl", bit(Pass::accumulate), {}},
     {"close_block.glsl", bit(Pass::close_block), {}},
     {"display_transform.glsl", bit(Pass::display), {}},
+    {kTone, bit(Pass::display), {}},
     {"display.glsl", bit(Pass::display), {}},
 });
 
@@ -162,10 +166,28 @@ std::string defines(unsigned pass, const EffectSet& effects, bool additive_blend
   return text;
 }
 
+struct ToneShader {
+  const char* function;
+  const char* file;  // "" where display_transform.glsl has it
+};
+
+ToneShader shaderOf(Tone tone) {
+  switch (tone) {
+    case Tone::agx:
+      return {"displayAgx", "tone_agx.glsl"};
+    case Tone::aces:
+      return {"displayAces", "tone_aces.glsl"};
+    case Tone::srgb:
+      break;
+  }
+  return {"displayTransform", ""};
+}
+
 std::string pieces(unsigned pass, const EffectSet& effects, const std::string& traversal,
-                   const std::string& record) {
+                   const std::string& record, Tone tone = Tone::srgb) {
   const auto textOf = [&](const char* file) {
     if (file == kTraversal) return traversalText(traversal);
+    if (file == kTone) return *shaderOf(tone).file ? shaderText(shaderOf(tone).file) : "";
     if (file == kRecordInput) return shaderText(recordNamed(record).input_file);
     if (file == kRecordOutput) return shaderText(recordNamed(record).output_file);
     return shaderText(file);
@@ -203,7 +225,10 @@ std::string composeFragmentShader(const ShaderRequest& request) {
   const unsigned pass = bit(request.pass);
   return startFor(request.gles) +
          defines(pass, request.effects, request.additive_blending, request.live_only) +
-         pieces(pass, request.effects, request.traversal, request.record);
+         (request.pass == Pass::display
+              ? fmt::format("#define DISPLAY_TRANSFORM {}\n", shaderOf(request.tone).function)
+              : "") +
+         pieces(pass, request.effects, request.traversal, request.record, request.tone);
 }
 
 std::string composeFragmentShader(Pass pass) {
