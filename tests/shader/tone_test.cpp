@@ -32,13 +32,15 @@ double saturationOf(const glm::dvec3& c) {
   return most > 0 ? 1 - std::min({c.r, c.g, c.b}) / most : 0;
 }
 
-// The farthest that a colour's hue moves, in degrees, while it grows from dark to very bright.
+// The farthest that a colour's hue moves, in degrees, from what the display has for it while it is
+// dim, as it grows very bright.
 double hueTurn(const NamedDisplay& tone, const glm::dvec3& color) {
   double worst = 0;
   for (double stop = -4; stop <= 10; stop += 0.25) {
     const glm::dvec3 shown = tone.display(color, std::exp2(stop));
-    if (saturationOf(shown) < 0.02) continue;  // white has no hue
-    worst = std::max(worst, std::abs(std::remainder(hueOf(shown) - hueOf(color), 360)));
+    if (saturationOf(shown) < 0.1) continue;  // as good as white, which has no hue
+    const double dim = hueOf(glsl_double::encodeSrgb(color));
+    worst = std::max(worst, std::abs(std::remainder(hueOf(shown) - dim, 360)));
   }
   return worst;
 }
