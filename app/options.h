@@ -8,6 +8,7 @@
 #include <string>
 
 #include "renderer/renderer.h"
+#include "renderer/scene/load_scene.h"
 #include "renderer/scene/scene.h"
 
 namespace CLI {
@@ -27,6 +28,7 @@ struct CameraOptions {
 
 struct PictureOptions {
   CameraOptions camera;
+  EnvironmentChoice environment;
   std::optional<std::array<int, 2>> size;
   std::optional<int> bounces;
   std::optional<float> exposure;  // EV

@@ -1,0 +1,74 @@
+#include "renderer/scene/studio.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "renderer/core/vector.h"
+
+namespace glimt {
+namespace {
+
+constexpr int kWidth = 512;
+constexpr int kHeight = 256;
+
+// A rectangle of light that faces the middle of the room.
+struct SoftBox {
+  float azimuth;     // degrees from the front, +z, to the right, +x
+  float elevation;   // degrees
+  float half_width;  // tangents of the angles at which its edges are seen
+  float half_height;
+  Vec3 radiance;
+
+  // 1 within, 0 outside, and between them an edge without a step.
+  float at(const Vec3& direction) const {
+    constexpr float kEdge = 0.12f;
+    const float a = glm::radians(azimuth);
+    const float e = glm::radians(elevation);
+    const Vec3 to(std::cos(e) * std::sin(a), std::sin(e), std::cos(e) * std::cos(a));
+    const Vec3 side(std::cos(a), 0, -std::sin(a));
+    const float depth = glm::dot(direction, to);
+    if (depth <= 0) return 0;
+    const float x = std::abs(glm::dot(direction, side)) / depth;
+    const float y = std::abs(glm::dot(direction, glm::cross(to, side))) / depth;
+    return glm::smoothstep(half_width + kEdge, half_width - kEdge, x) *
+           glm::smoothstep(half_height + kEdge, half_height - kEdge, y);
+  }
+};
+
+const SoftBox kBoxes[]{
+    {40, 35, 0.65f, 0.65f, Vec3(5.2f, 5.0f, 4.7f)},   // key
+    {-55, 15, 0.50f, 0.90f, Vec3(1.7f, 1.8f, 2.0f)},  // fill
+    {0, 88, 0.90f, 0.60f, Vec3(2.6f)},                // overhead
+    {115, 15, 0.22f, 0.90f, Vec3(4.0f)},              // edges
+    {-115, 15, 0.22f, 0.90f, Vec3(3.2f)},
+};
+
+// A wall a little lighter above than below, and a floor.
+Vec3 room(const Vec3& direction) {
+  return Vec3(0.045f + 0.03f * glm::smoothstep(-0.4f, 0.6f, direction.y));
+}
+
+Vec3 radianceFrom(const Vec3& direction) {
+  Vec3 radiance = room(direction);
+  for (const SoftBox& box : kBoxes) radiance = glm::mix(radiance, box.radiance, box.at(direction));
+  return radiance;
+}
+
+}  // namespace
+
+Image makeStudio() {
+  constexpr float kPi = std::numbers::pi_v<float>;
+  Image image{kWidth, kHeight, {}};
+  image.pixels.reserve(static_cast<std::size_t>(kWidth) * kHeight);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const float around = 2 * kPi * ((static_cast<float>(x) + 0.5f) / kWidth - 0.5f);
+      const float down = kPi * (static_cast<float>(y) + 0.5f) / kHeight;
+      image.pixels.push_back(radianceFrom(
+          {std::sin(down) * std::cos(around), std::cos(down), std::sin(down) * std::sin(around)}));
+    }
+  return image;
+}
+
+}  // namespace glimt
