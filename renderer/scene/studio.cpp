@@ -37,11 +37,11 @@ struct SoftBox {
 };
 
 const SoftBox kBoxes[]{
-    {40, 35, 0.65f, 0.65f, Vec3(5.2f, 5.0f, 4.7f)},   // key
-    {-55, 15, 0.50f, 0.90f, Vec3(1.7f, 1.8f, 2.0f)},  // fill
-    {0, 88, 0.90f, 0.60f, Vec3(2.6f)},                // overhead
-    {115, 15, 0.22f, 0.90f, Vec3(4.0f)},              // edges
-    {-115, 15, 0.22f, 0.90f, Vec3(3.2f)},
+    {42, 38, 0.55f, 0.55f, Vec3(5.2f, 5.0f, 4.7f)},   // key
+    {-60, 12, 0.38f, 0.75f, Vec3(1.7f, 1.8f, 2.0f)},  // fill
+    {0, 88, 0.80f, 0.55f, Vec3(2.0f)},                // overhead
+    {118, 15, 0.18f, 0.80f, Vec3(3.5f)},              // edges
+    {-118, 15, 0.18f, 0.80f, Vec3(2.8f)},
 };
 
 // A wall a little lighter above than below, and a floor.
