@@ -37,16 +37,17 @@ struct SoftBox {
 };
 
 const SoftBox kBoxes[]{
-    {42, 38, 0.55f, 0.55f, Vec3(5.2f, 5.0f, 4.7f)},   // key
-    {-60, 12, 0.38f, 0.75f, Vec3(1.7f, 1.8f, 2.0f)},  // fill
-    {0, 88, 0.80f, 0.55f, Vec3(2.0f)},                // overhead
-    {118, 15, 0.18f, 0.80f, Vec3(3.5f)},              // edges
-    {-118, 15, 0.18f, 0.80f, Vec3(2.8f)},
+    {42, 38, 0.55f, 0.55f, Vec3(3.7f, 3.5f, 3.3f)},    // key
+    {-60, 12, 0.38f, 0.75f, Vec3(1.25f, 1.3f, 1.4f)},  // fill
+    {0, 88, 0.80f, 0.55f, Vec3(1.4f)},                 // overhead
+    {118, 15, 0.18f, 0.80f, Vec3(2.5f)},               // edges
+    {-118, 15, 0.18f, 0.80f, Vec3(2)},
 };
 
-// A wall a little lighter above than below, and a floor.
+// A wall a little lighter above than below, and a floor with light on it.
 Vec3 room(const Vec3& direction) {
-  return Vec3(0.045f + 0.03f * glm::smoothstep(-0.4f, 0.6f, direction.y));
+  return Vec3(0.045f + 0.03f * glm::smoothstep(-0.4f, 0.6f, direction.y) +
+              0.06f * glm::smoothstep(-0.2f, -0.9f, direction.y));
 }
 
 Vec3 radianceFrom(const Vec3& direction) {

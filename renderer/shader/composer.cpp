@@ -89,7 +89,7 @@ const auto kPieces = std::to_array<Piece>({
     {"warp.glsl", kCamera, with(Effect::lens)},
     {"lambert.glsl", kBounces | kEscape, {}},
     {"fresnel.glsl", kBounces, with(kLayered)},
-    {"ggx.glsl", kBounces, with(kRough)},
+    {"ggx.glsl", kBounces, with(kReflecting | kRough)},
     {"gloss.glsl", kBounces, with(kReflecting)},
     {"mirror.glsl", kBounces, with(bit(Effect::mirror) | bit(Effect::glass))},
     {"glass.glsl", kBounces, with(Effect::glass)},

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <vector>
 
 #include "tests/image/pictures.h"
 #include "tests/image/scenes.h"
@@ -94,7 +95,7 @@ TEST_CASE("a parallel projection shows a size as it is, at every distance and as
     for (int x = 0; x < width; ++x) {
       const bool inside = std::abs(x + 0.5 - width / 2.0) < 16 && std::abs(y + 0.5 - 32) < 16;
       const float seen = image.pixels[static_cast<std::size_t>(y * width + x)].g;
-      REQUIRE(seen == (inside ? 1.0f : 0.0f));
+      REQUIRE(seen == Approx(inside ? 1 : 0).margin(1 / 128.0));  // of the packed record
     }
 }
 
@@ -104,11 +105,14 @@ TEST_CASE("a camera that is exchanged while rendering brings its lens or project
   parallel.camera.orthographic_height = 1;
   Scene pinhole = lens;
   pinhole.camera.aperture_radius = 0;
+  const std::vector<Scene> scenes{lens, parallel, pinhole, lens};
+  std::vector<Image> expected;
+  for (const Scene& scene : scenes) expected.push_back(render(scene, settingsFor(kSize, 0), 1));
   ContextHandle context = createOffscreenContext(Backend::egl, 2);
   Renderer renderer(context, pinhole, settingsFor(kSize, 0));
-  for (const Scene& scene : {lens, parallel, pinhole, lens}) {
-    renderer.setCamera(scene.camera);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    renderer.setCamera(scenes[i].camera);
     renderer.renderSample();
-    CHECK(identical(renderer.radiance(), render(scene, settingsFor(kSize, 0), 1)));
+    CHECK(identical(renderer.radiance(), expected[i]));
   }
 }
