@@ -46,6 +46,7 @@ LightSample samplePunctual(Surface surface, vec3 origin, float choice) {
 }
 #endif
 
+#if TRIANGLE_LIGHTS || PUNCTUAL_LIGHTS || ENVIRONMENT
 // Each kind of light gets its share of the samples. What chooses among the kinds is stretched to a
 // random number again for the one that needs four of them.
 LightSample sampleLight(Surface surface, Frame frame, vec3 origin, vec4 random) {
@@ -75,3 +76,4 @@ LightSample sampleLight(Surface surface, Frame frame, vec3 origin, vec4 random) 
 #endif
   return light;
 }
+#endif
