@@ -1,5 +1,5 @@
-// The camera, and the pinhole. The vectors span the picture at distance one; uCameraRight and uCameraUp reach
-// from its centre to its edges.
+// The camera, and the pinhole. The vectors span the picture at distance one; uCameraRight and
+// uCameraUp reach from its centre to its edges.
 uniform vec3 uCameraPosition;
 uniform vec3 uCameraForward;
 uniform vec3 uCameraRight;

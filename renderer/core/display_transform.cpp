@@ -53,8 +53,8 @@ Vec3 toneAgx(const Vec3& light) {
 Vec3 toneAces(const Vec3& light) {
   const Vec3 v = multiply({0.59719f, 0.35458f, 0.04823f}, {0.07600f, 0.90834f, 0.01566f},
                           {0.02840f, 0.13383f, 0.83777f}, light / 0.6f);
-  const Vec3 curve = (v * (v + 0.0245786f) - 0.000090537f) /
-                     (v * (0.983729f * v + 0.4329510f) + 0.238081f);
+  const Vec3 curve =
+      (v * (v + 0.0245786f) - 0.000090537f) / (v * (0.983729f * v + 0.4329510f) + 0.238081f);
   return multiply({1.60475f, -0.53108f, -0.07367f}, {-0.10208f, 1.10813f, -0.00605f},
                   {-0.00327f, -0.07276f, 1.07602f}, curve);
 }

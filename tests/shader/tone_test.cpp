@@ -95,13 +95,13 @@ TEST_CASE("grey stays grey in every tone, and middle grey stays in the middle") 
 
 // Orange that is clipped turns yellow, sky blue turns cyan: a third of the way to the next primary.
 TEST_CASE("agx keeps the hue of saturated bright colours better than clipping does") {
-  for (const glm::dvec3& color :
-       {glm::dvec3(1, 0.3, 0.02), glm::dvec3(0.02, 0.3, 1), glm::dvec3(1, 0.05, 0.4),
-        glm::dvec3(0.3, 1, 0.05)}) {
+  for (const glm::dvec3& color : {glm::dvec3(1, 0.3, 0.02), glm::dvec3(0.02, 0.3, 1),
+                                  glm::dvec3(1, 0.05, 0.4), glm::dvec3(0.3, 1, 0.05)}) {
     const double clipped = hueTurn(kAll[0], color);
     const double agx = hueTurn(kAll[1], color);
-    test::report("hue of ({}, {}, {}): turned by {:.1f} degrees when clipped, {:.1f} by agx, {:.1f} by aces",
-                 color.r, color.g, color.b, clipped, agx, hueTurn(kAll[2], color));
+    test::report(
+        "hue of ({}, {}, {}): turned by {:.1f} degrees when clipped, {:.1f} by agx, {:.1f} by aces",
+        color.r, color.g, color.b, clipped, agx, hueTurn(kAll[2], color));
     CHECK(agx < clipped);
     CHECK(agx < 30);  // half of the way to the next primary or secondary colour
   }
