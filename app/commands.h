@@ -30,6 +30,7 @@ struct ViewOptions {
 
 struct InfoOptions {
   std::filesystem::path scene;
+  CameraOptions camera;  // its name alone
   std::string json;
 };
 

@@ -69,6 +69,12 @@ Json materialsOf(const Scene& scene) {
   return materials;
 }
 
+std::vector<std::string> cameraNames(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const NamedCamera& named : scene.cameras) names.push_back(named.name);
+  return names;
+}
+
 Json effectsOnAndOff(const Scene& scene) {
   Json effects = Json::array();
   for (const EffectReport& effect : reportEffects(scene)) {
@@ -92,11 +98,16 @@ Json reportOf(const InfoOptions& options, const Scene& scene) {
        {{"position", placeJson(scene, camera.position)},
         {"target", placeJson(scene, camera.target)},
         {"up", jsonOf(camera.up)},
-        {"vertical_fov", jsonOf(camera.vertical_fov)}}},
+        {"vertical_fov", jsonOf(camera.vertical_fov)},
+        {"orthographic_height", jsonOf(camera.orthographic_height)},
+        {"aperture_radius", jsonOf(camera.aperture_radius)},
+        {"focus_distance", jsonOf(camera.focus_distance)}}},
+      {"cameras", cameraNames(scene)},
       {"environment",
        {{"color", jsonOf(scene.environment.color)},
         {"strength", jsonOf(scene.environment.strength)}}},
-      {"lights", {{"triangles", lights.triangles}, {"area", lights.area}}},
+      {"lights",
+       {{"triangles", lights.triangles}, {"area", lights.area}, {"others", scene.lights.size()}}},
       {"effects", effectsOnAndOff(scene)},
       {"warnings", scene.warnings}};
 }
@@ -171,8 +182,10 @@ std::string textOf(const Scene& scene) {
             fmt::format("at {}, looks at {}, up {}, {:.5g} degrees high",
                         placeText(scene, camera.position), placeText(scene, camera.target),
                         textOf(camera.up), camera.vertical_fov));
+  if (!scene.cameras.empty()) table.row("cameras", listed(cameraNames(scene)));
   table.row("environment", "radiance " + textOf(scene.environment.radiance()));
-  table.row("lights", fmt::format("{} triangles, {:.5g} m^2", lights.triangles, lights.area));
+  table.row("lights", fmt::format("{} triangles, {:.5g} m^2, {} others", lights.triangles,
+                                  lights.area, scene.lights.size()));
   addMaterials(table, scene);
   addEffects(table, scene);
   for (const std::string& warning : scene.warnings) table.row("warning", warning);
@@ -183,7 +196,8 @@ std::string textOf(const Scene& scene) {
 
 int runInfo(const InfoOptions& options) {
   checkJsonFile(options.json);
-  const Scene scene = loadScene(options.scene);
+  Scene scene = loadScene(options.scene);
+  scene.camera = cameraOf(options.camera, scene);
   if (options.json.empty()) {
     writeOut(textOf(scene));
   } else {

@@ -4,12 +4,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 
 #include "app/commands.h"
 #include "app/parse.h"
 #include "renderer/core/error.h"
+#include "renderer/core/wording.h"
 #include "renderer/scene/framing.h"
 
 namespace glimt {
@@ -46,9 +48,26 @@ void addGles(CLI::App& command, int& gles) {
   });
 }
 
+void addCameraName(CLI::App& command, std::string& name) {
+  command.add_option("--camera", name, "One of the scene's cameras")->type_name("NAME");
+}
+
+void addEnvironment(CLI::App& command, EnvironmentChoice& environment) {
+  add(command, "--environment", "NAME|FILE",
+      "Light from outside: studio, sun-sky or a picture (the scene's)",
+      [&](const std::string& text) { environment.image = text; });
+  add(command, "--environment-rotation", "DEG", "Turns it about +y", [&](const std::string& text) {
+    environment.rotation = static_cast<float>(parseNumber("--environment-rotation", text));
+  });
+  add(command, "--environment-strength", "X", "Multiplies its light", [&](const std::string& text) {
+    environment.strength =
+        static_cast<float>(parseNumberBetween("--environment-strength", text, -1e-9, 1e9));
+  });
+}
+
 void addCamera(CLI::App& command, CameraOptions& camera) {
-  CLI::Option* const name =
-      command.add_option("--camera", camera.name, "One of the scene's cameras")->type_name("NAME");
+  addCameraName(command, camera.name);
+  CLI::Option* const name = command.get_option("--camera");
   add(command, "--eye", "X,Y,Z", "Where the camera is", [&](const std::string& text) {
     camera.eye = parseVector("--eye", text);
   })->excludes(name);
@@ -71,10 +90,17 @@ void addPicture(CLI::App& command, PictureOptions& picture) {
         picture.bounces = static_cast<int>(parseInteger("--bounces", text, 0, kMostBounces));
       });
   addCamera(command, picture.camera);
+  addEnvironment(command, picture.environment);
   add(command, "--exposure", "EV", "Brightens the display by 2^EV (the scene's, else 0)",
       [&](const std::string& text) {
         picture.exposure = static_cast<float>(
             parseNumberBetween("--exposure", text, -kMostExposure, kMostExposure));
+      });
+  add(command, "--tone", "srgb|agx|aces",
+      "How light becomes the display's: clipped, or by a curve (the scene's, else srgb)",
+      [&](const std::string& text) {
+        picture.tone =
+            toneNamed(parseChoice("--tone", text, {std::begin(kToneNames), std::end(kToneNames)}));
       });
   add(command, "--seed", "N", "Another seed, another noise (0)", [&](const std::string& text) {
     picture.seed = static_cast<std::uint32_t>(
@@ -135,6 +161,18 @@ std::vector<Number> parseList(const std::string& option, const std::string& text
   return numbers;
 }
 
+Camera cameraNamed(const std::string& name, const Scene& scene) {
+  std::vector<std::string> names;
+  for (const NamedCamera& named : scene.cameras) {
+    if (named.name == name) return named.camera;
+    names.push_back(named.name);
+  }
+  throw Error(ErrorKind::usage,
+              fmt::format("the scene has no camera named '{}'; {}", printable(name),
+                          names.empty() ? "use --eye, --target, --up and --fov"
+                                        : "it has " + listed(names)));
+}
+
 }  // namespace
 
 void addRenderOptions(CLI::App& command, RenderOptions& options) {
@@ -168,6 +206,7 @@ void addViewOptions(CLI::App& command, ViewOptions& options) {
 
 void addInfoOptions(CLI::App& command, InfoOptions& options) {
   addScene(command, options.scene);
+  addCameraName(command, options.camera.name);
   addJson(command, options.json);
 }
 
@@ -210,18 +249,18 @@ void addDoctorOptions(CLI::App& command, DoctorOptions& options) {
 }
 
 Camera cameraOf(const CameraOptions& options, const Scene& scene) {
-  if (!options.name.empty()) {
-    throw Error(ErrorKind::usage, fmt::format("the scene has no camera named '{}'; use --eye, "
-                                              "--target, --up and --fov",
-                                              options.name));
-  }
+  if (!options.name.empty()) return cameraNamed(options.name, scene);
   Camera camera = scene.camera;
+  // Where the lens is sharp at the target it stays so.
+  const float before = glm::distance(camera.position, camera.target);
+  const bool at_target = std::abs(camera.focus_distance - before) <= 1e-5f * before;
   if (options.eye) camera.position = Vec3(*options.eye - scene.origin);
   if (options.target) camera.target = Vec3(*options.target - scene.origin);
   camera.up = options.up ? *options.up : usableUp(camera);
   camera.vertical_fov = options.vertical_fov.value_or(camera.vertical_fov);
 
   const Vec3 forward = camera.target - camera.position;
+  if (at_target) camera.focus_distance = glm::length(forward);
   if (!(glm::length(forward) > 0)) {
     throw Error(ErrorKind::usage, "the camera is at its target; move --eye or --target");
   }
@@ -247,6 +286,10 @@ RenderSettings settingsOf(const PictureOptions& options, const Scene& scene) {
 
 float exposureOf(const PictureOptions& options, const Scene& scene) {
   return options.exposure.value_or(scene.render.exposure.value_or(0.0f));
+}
+
+Tone toneOf(const PictureOptions& options, const Scene& scene) {
+  return options.tone.value_or(scene.render.tone.value_or(Tone::srgb));
 }
 
 }  // namespace glimt

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "renderer/renderer.h"
+#include "renderer/scene/load_scene.h"
 #include "renderer/scene/scene.h"
 
 namespace CLI {
@@ -27,9 +28,11 @@ struct CameraOptions {
 
 struct PictureOptions {
   CameraOptions camera;
+  EnvironmentChoice environment;
   std::optional<std::array<int, 2>> size;
   std::optional<int> bounces;
   std::optional<float> exposure;  // EV
+  std::optional<Tone> tone;
   std::uint32_t seed = 0;
   std::string traversal = "auto";
   std::string record = "packed";
@@ -58,5 +61,6 @@ Camera cameraOf(const CameraOptions& options, const Scene& scene);
 // The command line, else the scene's file, else what is built in.
 RenderSettings settingsOf(const PictureOptions& options, const Scene& scene);
 float exposureOf(const PictureOptions& options, const Scene& scene);
+Tone toneOf(const PictureOptions& options, const Scene& scene);
 
 }  // namespace glimt

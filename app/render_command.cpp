@@ -47,7 +47,7 @@ class RenderCommand {
   Renderer makeRenderer(ContextHandle& context, const Scene& scene);
   Sampling render(Renderer& renderer);
   std::string lossesOf(Renderer& renderer) const;
-  void writePictures(const Picture& picture, float exposure) const;
+  void writePictures(const Picture& picture, const Scene& scene) const;
   void warn(const std::string& what);
   void endIfInterrupted() const;
 
@@ -73,7 +73,7 @@ void RenderCommand::run() {
   if (!options_.shader_folder.empty()) writeShaders(renderer);
   const Sampling sampling = render(renderer);
 
-  writePictures(sampling.picture, exposureOf(options_.picture, scene));
+  writePictures(sampling.picture, scene);
   report_.total = clock_.seconds();
   writeJson(options_.json, jsonOf(report_));
   if (!sampling.failure.empty()) throw Error(ErrorKind::failed, failureOf(sampling));
@@ -116,7 +116,7 @@ void RenderCommand::checkOutputs() const {
 
 Scene RenderCommand::load() {
   progress_.show(fmt::format("loading {}", options_.scene.string()));
-  Scene scene = loadScene(options_.scene);
+  Scene scene = loadScene(options_.scene, options_.picture.environment);
   scene.camera = cameraOf(options_.picture.camera, scene);
   report_.scene = options_.scene;
   report_.outputs = options_.outputs;
@@ -164,12 +164,14 @@ std::string RenderCommand::lossesOf(Renderer& renderer) const {
 }
 
 // A file that cannot be written does not keep the others from being written.
-void RenderCommand::writePictures(const Picture& picture, float exposure) const {
+void RenderCommand::writePictures(const Picture& picture, const Scene& scene) const {
+  const float exposure = exposureOf(options_.picture, scene);
+  const Tone tone = toneOf(options_.picture, scene);
   std::exception_ptr first_error;
   for (const auto& output : options_.outputs) {
     try {
       if (imageFormatOf(output) == ImageFormat::png) {
-        writeDisplayImage(output, displayImage(picture.radiance, exposure));
+        writeDisplayImage(output, displayImage(picture.radiance, exposure, tone));
       } else {
         writeImage(output, picture.radiance);
       }

@@ -14,7 +14,8 @@ namespace glimt {
 namespace {
 
 Scene load(const ViewOptions& options) {
-  Scene scene = loadScene(options.scene ? *options.scene : defaultScene());
+  Scene scene =
+      loadScene(options.scene ? *options.scene : defaultScene(), options.picture.environment);
   scene.camera = withTargetAtModel(cameraOf(options.picture.camera, scene), boundsOf(scene));
   if (scene.name.empty()) scene.name = "scene";
   return scene;
@@ -43,7 +44,8 @@ int runView(const ViewOptions& options) {
                     [&](float fraction) { showTree(progress, fraction); });
   progress.clear();
 
-  const ViewerSettings viewer{scene.name, scene.camera, exposureOf(options.picture, scene)};
+  const ViewerSettings viewer{scene.name, scene.camera, exposureOf(options.picture, scene),
+                              toneOf(options.picture, scene)};
   Viewer(window, renderer, viewer).run();
   return 0;
 }

@@ -92,10 +92,15 @@ class Renderer::State {
     sample_seconds_ = 0;
   }
 
-  void drawDisplay(int width, int height, float exposure) {
-    if (!display_)
+  void drawDisplay(int width, int height, float exposure, Tone tone) {
+    if (!display_ || tone_ != tone) {
+      ShaderRequest request;
+      request.pass = Pass::display;
+      request.tone = tone;
       display_.emplace(device.gl(), nameOf(Pass::display), composeVertexShader(),
-                       composeFragmentShader(Pass::display));
+                       composeFragmentShader(request));
+      tone_ = tone;
+    }
     display_->use();
     display_->set("uZero", Vec4(0));
     tracer.accumulation().bind(*display_);
@@ -140,6 +145,7 @@ class Renderer::State {
   }
 
   std::optional<gl::Program> display_;
+  Tone tone_ = Tone::srgb;  // of that program
   bool failed_ = false;
   // For each pass; at first a guess that is slow enough.
   std::array<double, kPassCount> seconds_per_pixel_ = filled(kDrawSeconds / 16384);
@@ -221,11 +227,11 @@ std::optional<std::uint32_t> Renderer::loopLimit() {
   return findLoopLimit(state_->device, kMost);
 }
 
-DisplayImage Renderer::display(float exposure) {
+DisplayImage Renderer::display(float exposure, Tone tone) {
   const Film& film = state_->tracer.film();
   const gl::Target target(gl::Texture::bytes(state_->device.gl(), film.width(), film.height()));
   target.bind();
-  state_->drawDisplay(film.width(), film.height(), exposure);
+  state_->drawDisplay(film.width(), film.height(), exposure, tone);
   const std::vector<unsigned char> bytes = target.readBytes();
   DisplayImage image{film.width(), film.height(), {}};
   image.bytes.reserve(bytes.size() / 4 * 3);
@@ -236,11 +242,11 @@ DisplayImage Renderer::display(float exposure) {
   return image;
 }
 
-void Renderer::present(int framebuffer_width, int framebuffer_height, float exposure) {
+void Renderer::present(int framebuffer_width, int framebuffer_height, float exposure, Tone tone) {
   const gl::Functions& gl = state_->device.gl();
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
   gl.Viewport(0, 0, framebuffer_width, framebuffer_height);
-  state_->drawDisplay(framebuffer_width, framebuffer_height, exposure);
+  state_->drawDisplay(framebuffer_width, framebuffer_height, exposure, tone);
 }
 
 std::map<std::string, std::string> Renderer::shaders() const {

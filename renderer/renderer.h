@@ -13,6 +13,7 @@
 
 #include "renderer/core/context_info.h"
 #include "renderer/core/image.h"
+#include "renderer/core/tone.h"
 #include "renderer/core/traversal_time.h"
 #include "renderer/core/work_progress.h"
 #include "renderer/scene/scene.h"
@@ -136,11 +137,13 @@ class Renderer {
   // turns are made. Measured at the call.
   std::optional<std::uint32_t> loopLimit();
 
-  // The picture as a display shows it: radiance * 2^exposure, clipped at 1, sRGB-encoded.
-  DisplayImage display(float exposure);
+  // The picture as a display shows it: radiance * 2^exposure, brought into 0 to 1 by the tone,
+  // sRGB-encoded.
+  DisplayImage display(float exposure, Tone tone = Tone::srgb);
 
   // Draws the same into the window's framebuffer, scaled to its size in pixels.
-  void present(int framebuffer_width, int framebuffer_height, float exposure);
+  void present(int framebuffer_width, int framebuffer_height, float exposure,
+               Tone tone = Tone::srgb);
 
   RenderStatistics statistics() const;
 

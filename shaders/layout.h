@@ -56,6 +56,14 @@
 // Lights, an alias table; see light_table.glsl. One texel each:
 //   share of the entry that goes to its own triangle, index of that, index of the other one, free
 
+// Lights without triangles; see punctual_lights.glsl.
+//   0: position x, y, z; 1, or unit direction towards the light x, y, z; 0
+//   1: intensity r, g, b, or irradiance; probability of choosing it
+//   2: unit direction in which it shines x, y, z; 1 / range^2, 0 for none
+//   3: a spot's brightness is (second + first * cosine)^2, within 0 and 1; of the alias table: share of
+//   the entry that goes to its own light, index of the other one
+#define PUNCTUAL_LIGHT_TEXELS 4.0
+
 // Samples that are summed before they become part of the mean: enough that the mean is updated
 // seldom, few enough that the sum is exact to 3e-6. See sample_mean.glsl.
 #define SAMPLES_PER_BLOCK 128

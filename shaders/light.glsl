@@ -15,7 +15,7 @@ vec3 emittedRadiance(HitRecord record, Surface surface) {
 #endif
 }
 
-#if TRIANGLE_LIGHTS || ENVIRONMENT
+#if TRIANGLE_LIGHTS || ENVIRONMENT || PUNCTUAL_LIGHTS
 vec3 reflectedRadiance(HitRecord record, Surface surface, vec4 random, bool wanted,
                        float last) {
   vec3 origin = leaveSurface(surface.position, surface.geometric, surface.error_scale);
@@ -38,7 +38,8 @@ vec3 reflectedRadiance(HitRecord record, Surface surface, vec4 random, bool want
   float visible = visibility(origin, light.to, light.far, wanted);
   if (!wanted) return vec3(0.0);
   if (visible < 0.0) return RADIANCE_UNKNOWN;
-  float weight = last > 0.5 ? 1.0 : powerHeuristic(light.pdf, pdfBsdf(bsdf, wo, wi));
+  bool alone = last > 0.5 || !light.by_chance;
+  float weight = alone ? 1.0 : powerHeuristic(light.pdf, pdfBsdf(bsdf, wo, wi));
   return evalBsdf(bsdf, wo, wi) * light.radiance * (visible * weight / light.pdf);
 }
 #endif
@@ -48,7 +49,7 @@ vec3 radianceOf(HitRecord record, bool ended, vec4 random, float last) {
   bool hit = wanted && record.triangle < TRIANGLE_UNKNOWN;
   Surface surface = surfaceOf(record);
   vec3 radiance = emittedRadiance(record, surface) * record.weight;
-#if TRIANGLE_LIGHTS || ENVIRONMENT
+#if TRIANGLE_LIGHTS || ENVIRONMENT || PUNCTUAL_LIGHTS
   radiance += reflectedRadiance(record, surface, random, hit && last < 1.5, last);
 #endif
   if (record.triangle == TRIANGLE_UNKNOWN) radiance = RADIANCE_UNKNOWN;

@@ -6,6 +6,7 @@ struct LightSample {
   vec3 radiance;
   float pdf;       // per solid angle, of choosing this light and this direction
   bool possible;   // whether any light can arrive
+  bool by_chance;  // whether a ray may also come upon the light
 };
 
 #if TRIANGLE_LIGHTS
@@ -24,34 +25,55 @@ LightSample sampleTriangleLight(Surface surface, vec3 origin, float choice, vec2
   vec3 facing = dot(normal, to) > 0.0 ? -normal : normal;
   vec3 end = leaveSurface(point, facing, errorScale(data.v0, data.v1, data.v2));
   return LightSample(end - origin, 1.0, direction, emission.radiance,
-                     emission.density * distance2 / max(cosine, 1.0e-7), cosine > 1.0e-7);
+                     emission.density * distance2 / max(cosine, 1.0e-7), cosine > 1.0e-7, true);
 }
 #endif
 
 #if ENVIRONMENT
 LightSample sampleEnvironmentLight(Frame frame, vec4 random) {
   EnvironmentSample sky = sampleEnvironment(frame, random);
-  return LightSample(sky.direction, FAR_AWAY, sky.direction, sky.radiance, sky.pdf, sky.pdf > 0.0);
+  return LightSample(sky.direction, FAR_AWAY, sky.direction, sky.radiance, sky.pdf, sky.pdf > 0.0,
+                     true);
 }
 #endif
 
-#if TRIANGLE_LIGHTS && ENVIRONMENT
+#if PUNCTUAL_LIGHTS
+LightSample samplePunctual(Surface surface, vec3 origin, float choice) {
+  PunctualSample light = samplePunctualLight(surface.position, choice);
+  vec3 to = light.far > 1.0 ? light.to : light.to + surface.position - origin;
+  return LightSample(to, light.far, light.direction, light.irradiance, light.probability, true,
+                     false);
+}
+#endif
+
+#if TRIANGLE_LIGHTS || PUNCTUAL_LIGHTS || ENVIRONMENT
+// Each kind of light gets its share of the samples. What chooses among the kinds is stretched to a
+// random number again for the one that needs four of them.
 LightSample sampleLight(Surface surface, Frame frame, vec3 origin, vec4 random) {
-  LightSample triangle = sampleTriangleLight(surface, origin, random.z, random.xy);
-  bool to_sky = random.w < uEnvironmentShare;
-  float left = to_sky ? random.w / uEnvironmentShare : 0.0;
+#if TRIANGLE_LIGHTS
+  LightSample light = sampleTriangleLight(surface, origin, random.z, random.xy);
+  light.pdf *= uLightShares.y;
+#endif
+#if PUNCTUAL_LIGHTS
+  LightSample punctual = samplePunctual(surface, origin, random.z);
+  punctual.pdf *= uLightShares.z;
+#if TRIANGLE_LIGHTS
+  if (random.w >= 1.0 - uLightShares.z) light = punctual;
+#else
+  LightSample light = punctual;
+#endif
+#endif
+#if ENVIRONMENT
+  bool to_sky = random.w < uLightShares.x;
+  float left = to_sky ? random.w / uLightShares.x : 0.0;
   LightSample sky = sampleEnvironmentLight(frame, vec4(random.xyz, left));
-  triangle.pdf *= 1.0 - uEnvironmentShare;
-  sky.pdf *= uEnvironmentShare;
-  if (to_sky) return sky;
-  return triangle;
-}
-#elif TRIANGLE_LIGHTS
-LightSample sampleLight(Surface surface, Frame frame, vec3 origin, vec4 random) {
-  return sampleTriangleLight(surface, origin, random.z, random.xy);
-}
-#elif ENVIRONMENT
-LightSample sampleLight(Surface surface, Frame frame, vec3 origin, vec4 random) {
-  return sampleEnvironmentLight(frame, random);
+  sky.pdf *= uLightShares.x;
+#if TRIANGLE_LIGHTS || PUNCTUAL_LIGHTS
+  if (to_sky) light = sky;
+#else
+  LightSample light = sky;
+#endif
+#endif
+  return light;
 }
 #endif

@@ -1,3 +1,3 @@
-// How light samples are divided: this share of them goes to the environment, the rest to triangles
-// that emit. 1 or 0 where the scene has only one of the two.
-uniform float uEnvironmentShare;
+// How light samples are divided among the kinds of light that a scene has: shares that sum to one,
+// of the environment, of triangles that emit, and of lights without triangles.
+uniform vec3 uLightShares;

@@ -11,8 +11,15 @@ struct PathRay {
 
 #if FROM_CAMERA
 PathRay cameraRay(vec2 pixel, vec4 random) {
-  vec3 direction = cameraDirection(pixel - 0.5 + random.xy);
-  return PathRay(uCameraPosition, direction, vec3(1.0), 0.0, 1.0, random.z, true);
+  vec2 at = pixel - 0.5 + random.xy;
+#if ORTHOGRAPHIC
+  CameraRay ray = parallelRay(at);
+#elif LENS
+  CameraRay ray = lensRay(pixel, at);
+#else
+  CameraRay ray = pinholeRay(at);
+#endif
+  return PathRay(ray.origin, ray.direction, vec3(1.0), 0.0, 1.0, random.z, true);
 }
 #endif
 
@@ -42,14 +49,14 @@ float emissionWeight(PathRay ray, Hit hit) {
   float weight = 1.0;
 #if TRIANGLE_LIGHTS
   if (hit.triangle < TRIANGLE_UNKNOWN) {
-    float density = fetchEmission(hit.material).density * (1.0 - uEnvironmentShare);
+    float density = fetchEmission(hit.material).density * uLightShares.y;
     float cosine = 0.25 * abs(facingOf(hit.volumes)) / hit.area;
     weight = powerHeuristic(ray.pdf, density * hit.t * hit.t / max(cosine, 1.0e-7));
   }
 #endif
 #if ENVIRONMENT
   if (hit.triangle == TRIANGLE_NONE)
-    weight = powerHeuristic(ray.pdf, uEnvironmentShare * environmentPdf(ray.direction, ray.cosine));
+    weight = powerHeuristic(ray.pdf, uLightShares.x * environmentPdf(ray.direction, ray.cosine));
 #endif
   return weight;
 }

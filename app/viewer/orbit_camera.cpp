@@ -61,7 +61,9 @@ void OrbitCamera::orbit(Vec2 drag) {
 
 void OrbitCamera::pan(Vec2 drag) {
   const CameraFrame frame(camera_);
-  const Vec3 shift = 2 * distance_ * frame.half_height * (drag.y * frame.up - drag.x * frame.right);
+  const bool parallel = camera_.orthographic_height > 0;
+  const float height = parallel ? camera_.orthographic_height : 2 * distance_ * frame.half_height;
+  const Vec3 shift = height * (drag.y * frame.up - drag.x * frame.right);
   camera_.target += shift;
   camera_.position += shift;
 }
@@ -77,6 +79,10 @@ void OrbitCamera::place() {
   const Vec3 level = std::cos(yaw_) * front_ + std::sin(yaw_) * side_;
   const Vec3 arm = std::cos(pitch_) * level + std::sin(pitch_) * up_;
   camera_.position = camera_.target + distance_ * arm;
+  // A parallel picture grows with the distance, and what a lens shows sharp moves with the target.
+  const float start = glm::distance(start_.position, start_.target);
+  camera_.orthographic_height = start_.orthographic_height * (distance_ / start);
+  camera_.focus_distance = start_.focus_distance * (distance_ / start);
 }
 
 }  // namespace glimt

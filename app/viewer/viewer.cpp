@@ -140,7 +140,7 @@ void Viewer::show() {
   if (shown_samples_ > 0 && since_shown_.seconds() < kFrameSeconds) return;
   if (!visible_) window_.show();
   visible_ = true;
-  renderer_.present(window_size_[0], window_size_[1], settings_.exposure);
+  renderer_.present(window_size_[0], window_size_[1], settings_.exposure, settings_.tone);
   window_.swapBuffers();
   shown_samples_ = samples;
   damaged_ = false;
@@ -152,7 +152,7 @@ void Viewer::saveWhenReady() {
   save_asked_ = false;
   try {
     const std::filesystem::path file = snapshotName(settings_.name);
-    writeDisplayImage(file, renderer_.display(settings_.exposure));
+    writeDisplayImage(file, renderer_.display(settings_.exposure, settings_.tone));
     message_ = fmt::format("saved {}", file.string());
     say(fmt::format("{}, {}", message_, counted(renderer_.samples(), "sample")));
   } catch (const Error& error) {

@@ -16,6 +16,7 @@ struct ViewerSettings {
   std::string name;  // of the scene
   Camera camera;
   float exposure = 0;  // EV
+  Tone tone = Tone::srgb;
 };
 
 // While the camera moves or the window's size does, previews are drawn, each of its own camera; the

@@ -16,9 +16,12 @@ enum class Effect {
   mirror,           // surfaces that reflect in one direction
   glass,            // smooth boundaries that light passes
   rough_glass,      // rough ones
+  punctual_lights,  // points, spots and directions that light comes from
+  lens,             // a camera that is sharp at one distance
+  orthographic,     // a camera whose rays are parallel
 };
 
-inline constexpr int kEffectCount = 8;
+inline constexpr int kEffectCount = 11;
 
 using EffectSet = std::bitset<kEffectCount>;
 
@@ -30,7 +33,8 @@ inline bool has(const EffectSet& effects, Effect effect) {
 inline std::string nameOf(Effect effect) {
   constexpr std::array<const char*, kEffectCount> kNames{
       "triangle_lights", "environment", "environment_map", "smooth_normals",
-      "gloss",           "mirror",      "glass",           "rough_glass"};
+      "gloss",           "mirror",      "glass",           "rough_glass",
+      "punctual_lights", "lens",        "orthographic"};
   return kNames[static_cast<std::size_t>(effect)];
 }
 

@@ -143,6 +143,11 @@ void PathTracer::use(const std::string& traversal) {
 
 void PathTracer::setCamera(const Camera& camera) {
   camera_ = camera;
+  if (const EffectSet effects = withCamera(effects_, camera); effects != effects_) {
+    effects_ = effects;
+    std::erase_if(programs_, [](const auto& entry) { return entry.first.second == Pass::camera; });
+    compile({});
+  }
   restart();
 }
 
@@ -286,6 +291,9 @@ void PathTracer::bindSamplePoint(gl::Program& program, const Stage& stage) const
   program.set("uPoint", points_.point(static_cast<std::uint32_t>(samples_), set));
   program.set("uOffsetsShift", points_.offsetsShift(set));
   program.set("uOffsets", offsets_);
+  if (stage.pass != Pass::camera) return;
+  program.set("uLensPoint", points_.point(static_cast<std::uint32_t>(samples_), kLensSet));
+  program.set("uLensOffsetsShift", points_.offsetsShift(kLensSet));
 }
 
 }  // namespace glimt

@@ -42,6 +42,7 @@ class PathTracer {
   PathTracer(const gl::Device& device, const Scene& scene, const PathTracerSettings& settings,
              const SceneTree& tree, const WorkProgress& progress = {});
 
+  // Compiles where the camera calls for other effects than the one before.
   void setCamera(const Camera& camera);
   void resize(int width, int height);
 

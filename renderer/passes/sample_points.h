@@ -17,6 +17,9 @@ constexpr std::uint32_t lightSet(int ray) {
   return raySet(ray) + 1;
 }
 
+// Where the camera's ray starts on its lens.
+constexpr std::uint32_t kLensSet = 0xffffffffu;
+
 // Every pass of every bounce takes one four-dimensional point per sample: a set of dimensions. The
 // points of a set are Sobol's, shuffled and scrambled by nested uniform permutations: Burley 2020,
 // "Practical Hash-based Owen Scrambling", JCGT 10(4).

@@ -10,7 +10,9 @@
 #include "renderer/passes/corner_order.h"
 #include "renderer/passes/data_texture.h"
 #include "renderer/passes/gloss_table.h"
+#include "renderer/passes/light_shares.h"
 #include "renderer/passes/light_table.h"
+#include "renderer/passes/punctual_lights.h"
 #include "renderer/scene/effects_of.h"
 #include "shaders/layout.h"
 
@@ -97,14 +99,6 @@ std::vector<Vec4> packLights(const LightTable& lights, const Bvh& bvh) {
   return texels;
 }
 
-// Where both kinds of light are there, each gets half the samples: which one matters differs from
-// point to point, and half is never off by more than a factor of two.
-float environmentShare(const Scene& scene, const LightTable& lights) {
-  const bool environment = scene.environment.shines();
-  const bool triangles = !lights.entries.empty();
-  return environment ? (triangles ? 0.5f : 1.0f) : 0.0f;
-}
-
 NodeLayout layOut(const Bvh& bvh, TreeLayout layout) {
   switch (layout) {
     case TreeLayout::octants:
@@ -142,6 +136,9 @@ SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene, const
   triangles_ = makeDataTexture(device, packTriangles(scene, bvh), "triangles");
   materials_ = makeDataTexture(device, packMaterials(scene, lights), "materials");
   lights_ = makeDataTexture(device, packLights(lights, bvh), "lights");
+  std::vector<Vec4> punctual = packPunctualLights(scene);
+  punctual_light_count_ = punctual.size() / static_cast<std::size_t>(PUNCTUAL_LIGHT_TEXELS);
+  punctual_lights_ = makeDataTexture(device, std::move(punctual), "lights without triangles");
   const bool smooth = !scene.normals.empty();
   normals_ =
       makeDataTexture(device, smooth ? packNormals(scene, bvh) : std::vector<Vec4>(), "normals");
@@ -153,7 +150,7 @@ SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene, const
   grid_cell_ = nodes.grid_cell;
   light_count_ = lights.entries.size();
   gloss_table_ = makeGlossTexture(device, effectsOf(scene));
-  environment_share_ = environmentShare(scene, lights);
+  light_shares_ = lightShares(scene, lights);
   environment_radiance_ = scene.environment.radiance();
   environment_map_ = EnvironmentMap(device, scene.environment);
 }
@@ -170,14 +167,17 @@ void SceneTextures::bind(gl::Program& program) const {
   program.set("uGridOrigin", grid_origin_);
   program.set("uGridCell", grid_cell_);
   program.set("uLightCount", static_cast<float>(light_count_));
-  program.set("uEnvironmentShare", environment_share_);
+  bindData(program, "uPunctualLights", punctual_lights_);
+  program.set("uPunctualLightCount", static_cast<float>(punctual_light_count_));
+  program.set("uLightShares", light_shares_);
   program.set("uEnvironmentRadiance", environment_radiance_);
   environment_map_.bind(program);
 }
 
 std::size_t SceneTextures::bytes() const {
   std::size_t texels = 0;
-  for (const gl::Texture* texture : {&nodes_, &triangles_, &normals_, &materials_, &lights_})
+  for (const gl::Texture* texture :
+       {&nodes_, &triangles_, &normals_, &materials_, &lights_, &punctual_lights_})
     texels +=
         static_cast<std::size_t>(texture->width()) * static_cast<std::size_t>(texture->height());
   return texels * sizeof(Vec4) + environment_map_.bytes();

@@ -34,6 +34,7 @@ class SceneTextures {
   gl::Texture normals_;
   gl::Texture materials_;
   gl::Texture lights_;
+  gl::Texture punctual_lights_;
   gl::Texture gloss_table_;
   std::size_t node_count_ = 0;
   std::size_t stack_size_ = 0;
@@ -42,7 +43,8 @@ class SceneTextures {
   Vec3 grid_origin_{0};
   Vec3 grid_cell_{1};
   std::size_t light_count_ = 0;
-  float environment_share_ = 0;
+  std::size_t punctual_light_count_ = 0;
+  Vec3 light_shares_{0};  // see light_shares.h
   Vec3 environment_radiance_{0};
   EnvironmentMap environment_map_;
   double build_seconds_ = 0;

@@ -80,6 +80,34 @@ bool transmits(const Material& material) {
   return material.metallic < 1 && material.transmission > 0;
 }
 
+EffectReport reportPunctualLights(const Scene& scene) {
+  const auto count = static_cast<std::size_t>(
+      std::count_if(scene.lights.begin(), scene.lights.end(),
+                    [](const PunctualLight& light) { return anyPositive(light.intensity); }));
+  const std::string reason =
+      count == 0 ? "no light without triangles shines" : counted(count, "light") + " shine";
+  return {Effect::punctual_lights, "punctual_lights", count > 0,
+          count == 1 ? reason + "s" : reason};
+}
+
+EffectReport reportLens(const Camera& camera) {
+  std::string reason = "all is sharp: the camera's aperture is a point";
+  if (camera.orthographic_height > 0)
+    reason = "the projection is parallel";
+  else if (camera.aperture_radius > 0)
+    reason = fmt::format("an aperture of radius {:g} m, sharp at {:g} m", camera.aperture_radius,
+                         camera.focus_distance);
+  return {Effect::lens, "lens", camera.aperture_radius > 0 && !(camera.orthographic_height > 0),
+          reason};
+}
+
+EffectReport reportOrthographic(const Camera& camera) {
+  const bool on = camera.orthographic_height > 0;
+  return {Effect::orthographic, "orthographic", on,
+          on ? fmt::format("a parallel projection, {:g} m high", camera.orthographic_height)
+             : "the projection is central"};
+}
+
 }  // namespace
 
 std::vector<EffectReport> reportEffects(const Scene& scene) {
@@ -94,7 +122,10 @@ std::vector<EffectReport> reportEffects(const Scene& scene) {
           reportMaterials(scene, Effect::gloss, gloss, "rough and reflecting"),
           reportMaterials(scene, Effect::mirror, mirror, "smooth and reflecting"),
           reportMaterials(scene, Effect::glass, glass, "smooth and transmitting"),
-          reportMaterials(scene, Effect::rough_glass, rough_glass, "rough and transmitting")};
+          reportMaterials(scene, Effect::rough_glass, rough_glass, "rough and transmitting"),
+          reportPunctualLights(scene),
+          reportLens(scene.camera),
+          reportOrthographic(scene.camera)};
 }
 
 EffectSet effectsOf(const Scene& scene) {
@@ -102,6 +133,12 @@ EffectSet effectsOf(const Scene& scene) {
   for (const EffectReport& report : reportEffects(scene)) {
     effects[static_cast<std::size_t>(report.effect)] = report.on;
   }
+  return effects;
+}
+
+EffectSet withCamera(EffectSet effects, const Camera& camera) {
+  for (const EffectReport& report : {reportLens(camera), reportOrthographic(camera)})
+    effects[static_cast<std::size_t>(report.effect)] = report.on;
   return effects;
 }
 

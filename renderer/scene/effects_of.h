@@ -20,4 +20,7 @@ std::vector<EffectReport> reportEffects(const Scene& scene);
 
 EffectSet effectsOf(const Scene& scene);
 
+// The same for the scene with another camera.
+EffectSet withCamera(EffectSet effects, const Camera& camera);
+
 }  // namespace glimt

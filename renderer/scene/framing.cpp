@@ -40,6 +40,11 @@ Camera framed(const Bounds& bounds, float aspect, const CameraSettings& settings
   if (settings.position) camera.position = Vec3(*settings.position);
   camera.up = settings.up.value_or(camera.up);
   camera.up = usableUp(camera);
+  camera.orthographic_height = settings.orthographic_height.value_or(0.0f);
+  camera.aperture_radius = settings.aperture_radius.value_or(0.0f);
+  camera.aperture_blades = settings.aperture_blades.value_or(0);
+  camera.focus_distance =
+      settings.focus_distance.value_or(glm::distance(camera.position, camera.target));
   return camera;
 }
 

@@ -15,6 +15,10 @@ struct CameraSettings {
   std::optional<glm::dvec3> target;
   std::optional<Vec3> up;
   std::optional<float> vertical_fov;
+  std::optional<float> orthographic_height;
+  std::optional<float> aperture_radius;
+  std::optional<float> focus_distance;  // nothing: that of the target
+  std::optional<int> aperture_blades;
 };
 
 Bounds boundsOf(const Scene& scene);

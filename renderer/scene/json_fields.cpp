@@ -29,10 +29,11 @@ constexpr std::size_t kMostKeys = 20'000;
   throw Error(ErrorKind::input, fmt::format("{}:{}: {}", printable(file.string()), line, what));
 }
 
-// With the line of the key that stands there; what has no key of its own has no line.
+// With the line of the key that stands there, or of the array that it is in; what has no key of its
+// own has no line.
 [[noreturn]] void fail(const JsonDocument& document, const std::string& key,
                        const std::string& what) {
-  const auto line = document.lines.find(key);
+  const auto line = document.lines.find(key.substr(0, key.find('[')));
   if (line == document.lines.end()) fail(document.path, what);
   fail(document.path, line->second, what);
 }
@@ -242,6 +243,12 @@ std::optional<std::array<int, 2>> JsonFields::integers(const char* key, const Ra
 const json* JsonFields::object(const char* key) const {
   const json* value = find(key);
   if (value != nullptr && !value->is_object()) reject(key, "an object");
+  return value;
+}
+
+const json* JsonFields::array(const char* key) const {
+  const json* value = find(key);
+  if (value != nullptr && !value->is_array()) reject(key, "an array");
   return value;
 }
 

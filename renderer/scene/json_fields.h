@@ -49,6 +49,7 @@ class JsonFields {
   std::optional<glm::dvec3> point(const char* key, const Range& each) const;
   std::optional<std::array<int, 2>> integers(const char* key, const Range& each) const;
   const nlohmann::json* object(const char* key) const;
+  const nlohmann::json* array(const char* key) const;
 
   std::string nameOf(const char* key) const;
 

@@ -8,10 +8,12 @@
 #include "renderer/core/error.h"
 #include "renderer/core/wording.h"
 #include "renderer/scene/effects_of.h"
+#include "renderer/scene/environment_picture.h"
 #include "renderer/scene/framing.h"
 #include "renderer/scene/obj_file.h"
 #include "renderer/scene/scene_check.h"
 #include "renderer/scene/scene_file.h"
+#include "renderer/scene/studio.h"
 
 namespace glimt {
 namespace {
@@ -41,7 +43,7 @@ Scene readModel(const fs::path& path) {
 }
 
 // From the file's coordinates to the scene's.
-void movePlace(std::optional<glm::dvec3>& place, const char* key, const Scene& scene,
+void movePlace(std::optional<glm::dvec3>& place, const std::string& key, const Scene& scene,
                const fs::path& path) {
   if (!place) return;
   *place -= scene.origin;
@@ -50,37 +52,63 @@ void movePlace(std::optional<glm::dvec3>& place, const char* key, const Scene& s
     fail(path, fmt::format("{} is farther than 100,000 km from the model; move it closer", key));
 }
 
-void placeCamera(const SceneFile& file, const fs::path& path, Scene& scene) {
+Camera placedCamera(CameraSettings settings, const std::string& name, const fs::path& path,
+                    const Scene& scene) {
   float aspect = 1;
   if (const auto& size = scene.render.size) {
     aspect = static_cast<float>((*size)[0]) / static_cast<float>((*size)[1]);
   }
-  CameraSettings settings = file.camera;
-  movePlace(settings.position, "camera.position", scene, path);
-  movePlace(settings.target, "camera.target", scene, path);
-  scene.camera = framed(boundsOf(scene), aspect, settings);
-  if (scene.camera.position == scene.camera.target) {
-    fail(path, "the camera is where it looks; give camera.position and camera.target");
+  movePlace(settings.position, name + ".position", scene, path);
+  movePlace(settings.target, name + ".target", scene, path);
+  const Camera camera = framed(boundsOf(scene), aspect, settings);
+  if (camera.position == camera.target) {
+    fail(path, fmt::format("the camera is where it looks; give {0}.position and {0}.target", name));
+  }
+  return camera;
+}
+
+void placeCameras(const SceneFile& file, const fs::path& path, Scene& scene) {
+  scene.camera = placedCamera(file.camera, "camera", path, scene);
+  for (const NamedCameraSettings& named : file.cameras)
+    scene.cameras.push_back(
+        {named.name, placedCamera(named.camera, "cameras." + printable(named.name), path, scene)});
+}
+
+void addLights(const SceneFile& file, const fs::path& path, Scene& scene) {
+  for (const LightSettings& settings : file.lights) {
+    std::optional<glm::dvec3> position = settings.position;
+    if (settings.light.kind != PunctualLight::Kind::directional)
+      movePlace(position, "lights' position", scene, path);
+    scene.lights.push_back(settings.light);
+    scene.lights.back().position = Vec3(*position);
   }
 }
 
-void placeLight(const SceneFile& file, Scene& scene) {
-  if (file.environment) scene.environment = *file.environment;
+bool isLit(const Scene& scene) {
   const EffectSet effects = effectsOf(scene);
-  if (has(effects, Effect::triangle_lights) || has(effects, Effect::environment)) return;
-  if (file.environment) {
-    scene.warnings.push_back(
-        "nothing gives light: no triangle emits and the environment is black; the picture will be "
-        "black");
-    return;
-  }
-  scene.environment.color = Vec3(1);
-  scene.warnings.push_back(
-      "nothing gives light, so a white environment of radiance 1 does; a scene file can name "
-      "another");
+  return has(effects, Effect::triangle_lights) || has(effects, Effect::environment) ||
+         has(effects, Effect::punctual_lights);
 }
 
-Scene loadWithin(const fs::path& path) {
+void placeEnvironment(const SceneFile& file, const EnvironmentChoice& choice, Scene& scene) {
+  Environment& environment = scene.environment;
+  if (file.environment) environment = *file.environment;
+  if (choice.image) {
+    environment = {Vec3(1), 1, environmentPicture(*choice.image, {}, {}, scene.warnings), 0};
+  } else if (!file.environment && !isLit(scene)) {
+    environment = {Vec3(1), 1, makeStudio(), 0};
+    scene.warnings.push_back(
+        "nothing gives light, so a studio does; --environment or a scene file can name another");
+  }
+  if (choice.rotation) environment.rotation = *choice.rotation;
+  if (choice.strength) environment.strength = *choice.strength;
+  if (!isLit(scene))
+    scene.warnings.push_back(
+        "nothing gives light: no triangle emits, there are no other lights and the environment is "
+        "black; the picture will be black");
+}
+
+Scene loadWithin(const fs::path& path, const EnvironmentChoice& environment) {
   SceneFile file;
   if (isSceneFile(path)) {
     file = readSceneFile(path);
@@ -92,17 +120,18 @@ Scene loadWithin(const fs::path& path) {
   scene.render = file.render;
   scene.warnings.insert(scene.warnings.end(), file.warnings.begin(), file.warnings.end());
   applyMaterials(file, scene);
+  addLights(file, path, scene);
   checkScene(scene);
-  placeCamera(file, path, scene);
-  placeLight(file, scene);
+  placeCameras(file, path, scene);
+  placeEnvironment(file, environment, scene);
   return scene;
 }
 
 }  // namespace
 
-Scene loadScene(const fs::path& path) {
+Scene loadScene(const fs::path& path, const EnvironmentChoice& environment) {
   try {
-    return loadWithin(path);
+    return loadWithin(path, environment);
   } catch (const std::bad_alloc&) {
     fail(path, "the scene needs more memory than there is; make it smaller");
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/core/image.h"
+#include "renderer/core/tone.h"
 #include "renderer/core/vector.h"
 #include "renderer/scene/camera.h"
 
@@ -139,6 +140,7 @@ struct RenderDefaults {
   std::optional<std::array<int, 2>> size;  // width, height in pixels
   std::optional<int> bounces;              // secondary bounces
   std::optional<float> exposure;           // EV
+  std::optional<Tone> tone;
 };
 
 struct Scene {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "renderer/core/wording.h"
+#include "renderer/scene/light_check.h"
 
 namespace glimt {
 namespace {
@@ -190,6 +191,7 @@ void checkScene(Scene& scene) {
   checkNormals(scene);
   removeUnused(scene);
   checkMaterials(scene);
+  checkLights(scene);
 }
 
 }  // namespace glimt

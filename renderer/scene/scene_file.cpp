@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numbers>
 #include <unordered_map>
 
 #include "renderer/core/error.h"
-#include "renderer/core/image_file.h"
 #include "renderer/core/wording.h"
+#include "renderer/scene/environment_picture.h"
 #include "renderer/scene/json_fields.h"
 #include "renderer/scene/scene_check.h"
 
@@ -30,6 +28,11 @@ constexpr Range kFinite = {-kLargestFloat, kLargestFloat, "a number"};
 constexpr Range kPositive = {0, kLargestFloat, "a number that is not negative"};
 constexpr Range kUnit = {0, 1, "a number between 0 and 1"};
 constexpr Range kIor = {1, 1000, "a number between 1 and 1000"};
+constexpr Range kElevation = {0, 90, "a number of degrees between 0 and 90"};
+constexpr Range kTurbidity = {2, 10, "a number between 2 and 10"};
+constexpr Range kLength = {0, kLargestCoordinate, "a number of metres above 0 and below 1e8", true};
+constexpr Range kRadius = {0, kLargestCoordinate, "a number of metres between 0 and 1e8"};
+constexpr Range kBlades = {0, 64, "0 for a round one, or an integer from 3 to 64"};
 constexpr Range kFov = {0, 180, "a number between 0 and 180", true};
 // A size that the command line asks for may be larger: a scene file may come from anyone.
 constexpr int kMostPixels = 1 << 26;
@@ -37,38 +40,38 @@ constexpr Range kPixels = {1, 16384, "an integer between 1 and 16384"};
 constexpr Range kBounces = {0, 1000, "an integer between 0 and 1000"};
 constexpr Range kExposure = {-100, 100, "a number between -100 and 100"};
 
-CameraSettings readCamera(const JsonFields& fields) {
+CameraSettings readCamera(const JsonDocument& document, const std::string& name,
+                          const nlohmann::json& value) {
+  const JsonFields fields(document, name, value,
+                          {"position", "target", "up", "vertical_fov", "orthographic_height",
+                           "aperture_radius", "focus_distance", "aperture_blades"});
   CameraSettings camera;
   camera.position = fields.point("position", kPlace);
   camera.target = fields.point("target", kPlace);
   camera.up = fields.vector("up", kCoordinate);
   camera.vertical_fov = fields.number("vertical_fov", kFov);
+  camera.orthographic_height = fields.number("orthographic_height", kLength);
+  camera.aperture_radius = fields.number("aperture_radius", kRadius);
+  camera.focus_distance = fields.number("focus_distance", kLength);
+  camera.aperture_blades = fields.integer("aperture_blades", kBlades);
+  if (camera.aperture_blades == 1 || camera.aperture_blades == 2)
+    fields.reject("aperture_blades", kBlades.words);
   if (camera.up == Vec3(0)) fields.reject("up", "a direction");
   if (camera.position && camera.position == camera.target) {
-    fields.reject("target", "another point than camera.position");
+    fields.reject("target", "another point than " + fields.nameOf("position"));
   }
   return camera;
 }
 
-// What is not a radiance becomes black. True when there was such a pixel.
-bool makeSound(Image& image) {
-  bool changed = false;
-  for (Vec3& pixel : image.pixels)
-    for (int c = 0; c < 3; ++c) {
-      if (pixel[c] >= 0 && std::isfinite(pixel[c])) continue;
-      pixel[c] = 0;
-      changed = true;
-    }
-  return changed;
-}
-
-Image readSky(const fs::path& path) {
-  try {
-    return readImage(path);
-  } catch (const Error& error) {
-    // Whatever is wrong with it, it is the scene that cannot be used.
-    throw Error(ErrorKind::input, error.what());
-  }
+SunSky readSunSky(const JsonFields& fields, bool wanted) {
+  if (!wanted)
+    for (const char* key : {"sun_elevation", "sun_rotation", "turbidity"})
+      if (fields.has(key)) fields.reject(key, "left out; only the image \"sun-sky\" has a sun");
+  SunSky sky;
+  sky.elevation = fields.number("sun_elevation", kElevation).value_or(sky.elevation);
+  sky.rotation = fields.number("sun_rotation", kFinite).value_or(sky.rotation);
+  sky.turbidity = fields.number("turbidity", kTurbidity).value_or(sky.turbidity);
+  return sky;
 }
 
 Environment readEnvironment(const JsonFields& fields, const fs::path& folder,
@@ -77,14 +80,9 @@ Environment readEnvironment(const JsonFields& fields, const fs::path& folder,
   environment.color = fields.vector("color", kPositive).value_or(Vec3(1));
   environment.strength = fields.number("strength", kPositive).value_or(1.0f);
   environment.rotation = fields.number("rotation", kFinite).value_or(0.0f);
-  if (const std::optional<std::string> name = fields.text("image")) {
-    const fs::path path = folder / fs::path(*name);
-    environment.image = readSky(path);
-    if (makeSound(environment.image))
-      warnings.push_back(
-          fmt::format("environment {}: pixels that are negative or not finite are black",
-                      printable(path.filename().string())));
-  }
+  const std::optional<std::string> name = fields.text("image");
+  const SunSky sun_sky = readSunSky(fields, name == kSunSkyName);
+  if (name) environment.image = environmentPicture(*name, folder, sun_sky, warnings);
   return environment;
 }
 
@@ -128,6 +126,11 @@ RenderDefaults readRender(const JsonFields& fields) {
   }
   render.bounces = fields.integer("bounces", kBounces);
   render.exposure = fields.number("exposure", kExposure);
+  if (const std::optional<std::string> tone = fields.text("tone")) {
+    if (std::find(kToneNames.begin(), kToneNames.end(), *tone) == kToneNames.end())
+      fields.reject("tone", "srgb, agx or aces");
+    render.tone = toneNamed(*tone);
+  }
   return render;
 }
 
@@ -135,8 +138,9 @@ RenderDefaults readRender(const JsonFields& fields) {
 
 SceneFile readSceneFile(const fs::path& path) {
   const JsonDocument document = readJson(path, kDeepest);
-  const JsonFields fields(document, "", document.value,
-                          {"model", "camera", "environment", "materials", "render"});
+  const JsonFields fields(
+      document, "", document.value,
+      {"model", "camera", "cameras", "environment", "lights", "materials", "render"});
   SceneFile file;
   const std::optional<std::string> model = fields.text("model");
   if (!model) {
@@ -146,13 +150,19 @@ SceneFile readSceneFile(const fs::path& path) {
   }
   file.model = path.parent_path() / fs::path(*model);
   if (const auto* camera = fields.object("camera")) {
-    file.camera = readCamera(
-        JsonFields(document, "camera", *camera, {"position", "target", "up", "vertical_fov"}));
+    file.camera = readCamera(document, "camera", *camera);
   }
+  if (const auto* cameras = fields.object("cameras")) {
+    for (const auto& [name, value] : cameras->items())
+      file.cameras.push_back(
+          {name, readCamera(document, fmt::format("cameras.{}", printable(name)), value)});
+  }
+  if (const auto* lights = fields.array("lights")) file.lights = readLights(document, *lights);
   if (const auto* environment = fields.object("environment");
       environment && !environment->empty()) {
     file.environment = readEnvironment(JsonFields(document, "environment", *environment,
-                                                  {"color", "image", "strength", "rotation"}),
+                                                  {"color", "image", "strength", "rotation",
+                                                   "sun_elevation", "sun_rotation", "turbidity"}),
                                        path.parent_path(), file.warnings);
   }
   if (const auto* materials = fields.object("materials")) {
@@ -164,8 +174,8 @@ SceneFile readSceneFile(const fs::path& path) {
     }
   }
   if (const auto* render = fields.object("render")) {
-    file.render =
-        readRender(JsonFields(document, "render", *render, {"size", "bounces", "exposure"}));
+    file.render = readRender(
+        JsonFields(document, "render", *render, {"size", "bounces", "exposure", "tone"}));
   }
   return file;
 }

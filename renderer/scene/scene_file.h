@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/scene/framing.h"
+#include "renderer/scene/light_settings.h"
 #include "renderer/scene/scene.h"
 
 namespace glimt {
@@ -24,10 +25,17 @@ struct MaterialSettings {
   bool beyond = false;  // asks for what is not built: a clear coat
 };
 
+struct NamedCameraSettings {
+  std::string name;
+  CameraSettings camera;
+};
+
 struct SceneFile {
   std::filesystem::path model;
   CameraSettings camera;
+  std::vector<NamedCameraSettings> cameras;
   std::optional<Environment> environment;  // nothing: the file does not speak of it
+  std::vector<LightSettings> lights;
   std::vector<MaterialSettings> materials;
   RenderDefaults render;
   std::vector<std::string> warnings;

@@ -73,6 +73,9 @@ constexpr const char* kTraversal = "traverse_*.glsl";
 constexpr const char* kRecordInput = "*_record_input.glsl";
 constexpr const char* kRecordOutput = "*_record_output.glsl";
 
+// Stands for the file of the tone that was asked for.
+constexpr const char* kTone = "tone_*.glsl";
+
 // In the order in which they are put together: a file comes after those that it calls.
 const auto kPieces = std::to_array<Piece>({
     {"layout.h", kPaths, {}},
@@ -85,9 +88,10 @@ const auto kPieces = std::to_array<Piece>({
     {"triangle.glsl", kPaths, {}},
     {"frame.glsl", kBounces | kEscape, {}},
     {"warp.glsl", kBounces | kEscape, {}},
+    {"warp.glsl", kCamera, with(Effect::lens)},
     {"lambert.glsl", kBounces | kEscape, {}},
     {"fresnel.glsl", kBounces, with(kLayered)},
-    {"ggx.glsl", kBounces, with(kRough)},
+    {"ggx.glsl", kBounces, with(kReflecting | kRough)},
     {"gloss.glsl", kBounces, with(kReflecting)},
     {"mirror.glsl", kBounces, with(bit(Effect::mirror) | bit(Effect::glass))},
     {"glass.glsl", kBounces, with(Effect::glass)},
@@ -110,8 +114,11 @@ const auto kPieces = std::to_array<Piece>({
     {"node_data.glsl", kPaths, {}},
     {kTraversal, kPaths, {}},
     {"camera.glsl", kCamera | kWholePath, {}},
+    {"lens.glsl", kCamera | kWholePath, with(Effect::lens)},
+    {"orthographic.glsl", kCamera | kWholePath, with(Effect::orthographic)},
     {"light_share.glsl", kBounces, {}},
     {"light_table.glsl", kArrivals, with(Effect::triangle_lights)},
+    {"punctual_lights.glsl", kArrivals, with(Effect::punctual_lights)},
     {"environment.glsl", kBounces | kEscape,
      with(Effect::environment).butNot(bit(Effect::environment_map))},
     {"environment_map.glsl", kBounces | kEscape, with(Effect::environment_map)},
@@ -130,6 +137,7 @@ const auto kPieces = std::to_array<Piece>({
     {"accumulate.glsl", bit(Pass::accumulate), {}},
     {"close_block.glsl", bit(Pass::close_block), {}},
     {"display_transform.glsl", bit(Pass::display), {}},
+    {kTone, bit(Pass::display), {}},
     {"display.glsl", bit(Pass::display), {}},
 });
 
@@ -170,10 +178,28 @@ std::map<std::string, bool> answers(unsigned pass, const EffectSet& effects, boo
   return values;
 }
 
+struct ToneShader {
+  const char* function;
+  const char* file;  // "" where display_transform.glsl has it
+};
+
+ToneShader shaderOf(Tone tone) {
+  switch (tone) {
+    case Tone::agx:
+      return {"displayAgx", "tone_agx.glsl"};
+    case Tone::aces:
+      return {"displayAces", "tone_aces.glsl"};
+    case Tone::srgb:
+      break;
+  }
+  return {"displayTransform", ""};
+}
+
 std::string pieces(unsigned pass, const EffectSet& effects, const std::string& traversal,
-                   const std::string& record) {
+                   const std::string& record, Tone tone = Tone::srgb) {
   const auto textOf = [&](const char* file) {
     if (file == kTraversal) return traversalText(traversal);
+    if (file == kTone) return *shaderOf(tone).file ? shaderText(shaderOf(tone).file) : "";
     if (file == kRecordInput) return shaderText(recordNamed(record).input_file);
     if (file == kRecordOutput) return shaderText(recordNamed(record).output_file);
     return shaderText(file);
@@ -210,8 +236,12 @@ std::string composeVertexShader(int gles) {
 std::string composeFragmentShader(const ShaderRequest& request) {
   const unsigned pass = bit(request.pass);
   return startFor(request.gles) +
-         takeBranches(pieces(pass, request.effects, request.traversal, request.record),
-                      answers(pass, request.effects, request.additive_blending, request.live_only));
+         (request.pass == Pass::display
+              ? fmt::format("#define DISPLAY_TRANSFORM {}\n", shaderOf(request.tone).function)
+              : "") +
+         takeBranches(
+             pieces(pass, request.effects, request.traversal, request.record, request.tone),
+             answers(pass, request.effects, request.additive_blending, request.live_only));
 }
 
 std::string composeFragmentShader(Pass pass) {

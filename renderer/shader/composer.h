@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/core/effects.h"
+#include "renderer/core/tone.h"
 
 namespace glimt {
 
@@ -26,6 +27,7 @@ struct ShaderRequest {
   std::string traversal = "octant";  // see traversals.h
   std::string record = "packed";     // see records.h
   bool additive_blending = true;     // radiance is added by blending, not by reading
+  Tone tone = Tone::srgb;            // of the display pass
   bool live_only = false;            // draws are limited to live paths; see escape_pass.glsl
   int gles = 2;                      // the OpenGL ES version whose language it is written in
 };

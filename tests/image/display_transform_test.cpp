@@ -16,11 +16,13 @@ TEST_CASE("the display transform on the CPU is the shader's, to one step of a by
   Renderer renderer(context, scene, test::settingsFor(32, 1));
   renderer.renderSample();
   const Image radiance = renderer.radiance();
-  for (int step = -96; step <= 8; ++step) {
+  const Tone tone = GENERATE(Tone::srgb, Tone::agx, Tone::aces);
+  CAPTURE(kToneNames[static_cast<std::size_t>(tone)]);
+  for (int step = -96; step <= 48; ++step) {
     const float exposure = 0.125f * static_cast<float>(step);
     CAPTURE(exposure);
-    const DisplayImage cpu = displayImage(radiance, exposure);
-    const DisplayImage shader = renderer.display(exposure);
+    const DisplayImage cpu = displayImage(radiance, exposure, tone);
+    const DisplayImage shader = renderer.display(exposure, tone);
     REQUIRE(cpu.bytes.size() == shader.bytes.size());
     int worst = 0;
     for (std::size_t i = 0; i < cpu.bytes.size(); ++i)

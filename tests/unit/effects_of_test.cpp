@@ -117,3 +117,27 @@ TEST_CASE("a material turns on the one effect that it is, when a triangle has it
     CHECK_THAT(reportOn(scene, c.effect).reason, Catch::EndsWith("'thing'"));
   }
 }
+
+TEST_CASE("a light that shines turns on punctual_lights and nothing else") {
+  Scene scene = sceneOf(1);
+  scene.lights.resize(2);
+  scene.lights[1].intensity = Vec3(0);
+  CHECK(reportOn(scene, Effect::punctual_lights).reason == "1 light shines");
+  CHECK(effectsOf(scene).count() == 1);
+  scene.lights[0].intensity = Vec3(0);
+  CHECK(effectsOf(scene).none());
+}
+
+TEST_CASE("a camera turns on the one effect that it is, in the scene and when it is exchanged") {
+  Scene scene = sceneOf(1);
+  scene.camera.aperture_radius = 0.5f;
+  CHECK(effectsOf(scene).count() == 1);
+  CHECK(reportOn(scene, Effect::lens).on);
+  CHECK(withCamera(EffectSet(), scene.camera) == effectsOf(scene));
+  const EffectSet lens = effectsOf(scene);
+  scene.camera.orthographic_height = 1;
+  CHECK(effectsOf(scene).count() == 1);
+  CHECK(reportOn(scene, Effect::orthographic).on);
+  CHECK(withCamera(lens, scene.camera) == effectsOf(scene));
+  CHECK(withCamera(lens, Camera()).none());
+}

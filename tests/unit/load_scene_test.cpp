@@ -296,16 +296,15 @@ TEST_CASE("mtllib finds several files, either slash, escaped blanks and files th
   CHECK(materialOf(scene, 4).base_color == Vec3(1, 1, 0));
 }
 
-TEST_CASE(
-    "an OBJ without light gets a white environment and a warning, one with light stays dark") {
+TEST_CASE("an OBJ without light gets a studio and a warning, one with light stays dark") {
   const Scene dark = loadObj(kTriangle);
-  CHECK(dark.environment.radiance() == Vec3(1));
-  CHECK(warns(dark, "nothing gives light"));
+  CHECK(dark.environment.image.width == 512);
+  CHECK(warns(dark, "nothing gives light, so a studio does"));
   const Scene lit = loadObj("usemtl a\n" + kTriangle, "newmtl a\nKe 1 1 1\n");
   CHECK(lit.environment.radiance() == Vec3(0));
   CHECK(effectsOf(lit) == EffectSet(1));
   const Scene unused = loadObj(kTriangle, "newmtl a\nKe 1 1 1\n");
-  CHECK(unused.environment.radiance() == Vec3(1));
+  CHECK(unused.environment.shines());
 }
 
 TEST_CASE("without a camera the model is seen from the front, centred and filling the picture") {

@@ -1,0 +1,29 @@
+// A thin lens: what is at the focus distance is sharp, a point elsewhere becomes a picture of the
+// lens. Depends on warp.glsl.
+uniform vec3 uLensRight;       // from its centre to its edge
+uniform vec3 uLensUp;
+uniform float uLensBlades;     // corners; 0: it is round
+uniform float uFocusDistance;  // along uCameraForward
+uniform vec4 uLensPoint;       // the sample point of its own set of dimensions
+uniform vec4 uLensOffsetsShift;
+
+// Uniform on a regular polygon with a corner at the top: one of its triangles, and a point in that.
+vec2 samplePolygon(vec2 random, float corners) {
+  float place = random.x * corners;
+  float first = min(floor(place), corners - 1.0);
+  vec2 weights = sampleTriangle(vec2(place - first, random.y));
+  vec2 angles = (vec2(first, first + 1.0) / corners + 0.25) * (2.0 * PI);
+  return vec2(dot(weights, cos(angles)), dot(weights, sin(angles)));
+}
+
+// From the centre of the lens.
+vec3 lensPoint(vec2 pixel) {
+  vec2 random = shiftedPoint(pixel, uLensPoint, uLensOffsetsShift).xy;
+  vec2 p = uLensBlades > 2.5 ? samplePolygon(random, uLensBlades) : sampleDisk(random);
+  return p.x * uLensRight + p.y * uLensUp;
+}
+
+CameraRay lensRay(vec2 pixel, vec2 at) {
+  vec3 start = lensPoint(pixel);
+  return CameraRay(uCameraPosition + start, normalize(uFocusDistance * cameraPoint(at) - start));
+}
