@@ -71,6 +71,7 @@ void RenderCommand::run() {
     endIfInterrupted();
     showTree(progress_, fraction);
   });
+  for (const std::string& warning : renderer.statistics().warnings) warn(warning);
   const Sampling sampling = render(renderer);
 
   writePictures(sampling.picture, exposureOf(options_.picture, scene));

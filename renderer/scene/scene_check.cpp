@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "renderer/core/wording.h"
+#include "renderer/scene/texture_uses.h"
 
 namespace glimt {
 namespace {
@@ -190,6 +191,7 @@ void checkScene(Scene& scene) {
   checkNormals(scene);
   removeUnused(scene);
   checkMaterials(scene);
+  checkTextures(scene);
 }
 
 }  // namespace glimt
