@@ -36,7 +36,8 @@ bool place(std::vector<AtlasRectangle>& rectangles, int width, int most_height, 
   return true;
 }
 
-// The widths that are tried are powers of two, from about the side of a square on.
+// The widths that are tried are powers of two and three steps between, from about the side of a
+// square on.
 bool placeAll(AtlasPlan& plan, int most_side, std::uint64_t most_bytes) {
   std::uint64_t area = 0;
   int widest = 1;
@@ -48,8 +49,13 @@ bool placeAll(AtlasPlan& plan, int most_side, std::uint64_t most_bytes) {
   }
   if (area * kBytes > most_bytes || std::max(widest, highest) > most_side) return false;
   const auto side = static_cast<unsigned>(std::sqrt(static_cast<double>(area)));
-  const unsigned start = std::bit_ceil(std::max(side, static_cast<unsigned>(widest)));
-  for (std::uint64_t next = start;; next *= 2) {
+  std::uint64_t start = std::bit_ceil(std::max(side, static_cast<unsigned>(widest)));
+  for (std::uint64_t quarters = 4;; ++quarters) {
+    if (quarters == 8) {
+      start *= 2;
+      quarters = 4;
+    }
+    const std::uint64_t next = start * quarters / 4;
     const int width =
         static_cast<int>(std::min<std::uint64_t>(next, static_cast<unsigned>(most_side)));
     const std::uint64_t rows = most_bytes / kBytes / static_cast<unsigned>(width);

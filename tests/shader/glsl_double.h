@@ -31,6 +31,8 @@ namespace {
 #include "shaders/multiple_importance.glsl"
 #include "shaders/sample_mean.glsl"
 #include "shaders/display_transform.glsl"
+#include "shaders/texture_wrap.glsl"
+#include "shaders/srgb_decoding.glsl"
 // clang-format on
 }  // namespace
 #undef float
