@@ -75,6 +75,13 @@ std::vector<std::string> cameraNames(const Scene& scene) {
   return names;
 }
 
+Json texturesOf(const Scene& scene) {
+  Json textures = Json::array();
+  for (const TextureImage& image : scene.images)
+    textures.push_back({{"name", image.name}, {"width", image.width}, {"height", image.height}});
+  return textures;
+}
+
 Json effectsOnAndOff(const Scene& scene) {
   Json effects = Json::array();
   for (const EffectReport& effect : reportEffects(scene)) {
@@ -93,6 +100,7 @@ Json reportOf(const InfoOptions& options, const Scene& scene) {
       {"triangles", scene.triangles.size()},
       {"vertices", scene.positions.size()},
       {"materials", materialsOf(scene)},
+      {"textures", texturesOf(scene)},
       {"bounds", {{"min", placeJson(scene, bounds.min)}, {"max", placeJson(scene, bounds.max)}}},
       {"camera",
        {{"position", placeJson(scene, camera.position)},
@@ -156,6 +164,14 @@ void addMaterials(Table& table, const Scene& scene) {
   }
 }
 
+void addTextures(Table& table, const Scene& scene) {
+  if (scene.images.empty()) return;
+  table.row("textures", fmt::format("{}", scene.images.size()));
+  for (const TextureImage& image : scene.images)
+    table.row("", fmt::format("{:>5} x {:<5}  {}", image.width, image.height,
+                              printable(std::string_view(image.name).substr(0, 60))));
+}
+
 void addEffects(Table& table, const Scene& scene) {
   const std::vector<EffectReport> effects = reportEffects(scene);
   std::size_t width = 0;
@@ -187,6 +203,7 @@ std::string textOf(const Scene& scene) {
   table.row("lights", fmt::format("{} triangles, {:.5g} m^2, {} others", lights.triangles,
                                   lights.area, scene.lights.size()));
   addMaterials(table, scene);
+  addTextures(table, scene);
   addEffects(table, scene);
   for (const std::string& warning : scene.warnings) table.row("warning", warning);
   return table.text();

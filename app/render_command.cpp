@@ -70,6 +70,7 @@ void RenderCommand::run() {
   report_.context = context.info();
   endIfInterrupted();
   Renderer renderer = makeRenderer(context, scene);
+  for (const std::string& warning : renderer.statistics().warnings) warn(warning);
   if (!options_.shader_folder.empty()) writeShaders(renderer);
   const Sampling sampling = render(renderer);
 

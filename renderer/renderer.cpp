@@ -261,6 +261,7 @@ RenderStatistics Renderer::statistics() const {
   statistics.triangles = state_->triangles;
   statistics.nodes = tracer.scene().nodeCount();
   statistics.texture_bytes = tracer.scene().bytes();
+  statistics.warnings = tracer.scene().warnings();
   statistics.bvh_seconds = tracer.scene().buildSeconds();
   statistics.compile_seconds = tracer.compileSeconds();
   statistics.camera_rays = tracer.rays().camera;

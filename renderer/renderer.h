@@ -70,6 +70,7 @@ struct RenderStatistics {
   std::size_t triangles = 0;
   std::size_t nodes = 0;          // of the BVH
   std::size_t texture_bytes = 0;  // geometry, tree and materials on the GPU
+  std::vector<std::string> warnings;  // what could not be kept as the scene has it
   double bvh_seconds = 0;
   double compile_seconds = 0;
   // Rays per picture of one sample, counted in the first one. Shadow rays

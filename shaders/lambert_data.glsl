@@ -1,4 +1,4 @@
-// The BSDF of a Lambert surface from the materials' texture.
+// The BSDF of a Lambert surface from its material.
 Bsdf fetchBsdf(Surface surface, vec3 wo) {
-  return Bsdf(fetchMaterial(surface.material, 0.0).rgb);
+  return Bsdf(baseColorOf(surface));
 }

@@ -1,11 +1,11 @@
-// The BSDF of a surface in layers from the materials' texture. Dispatches on the scene's effects.
+// The BSDF of a surface in layers from its material. Dispatches on the scene's effects.
 Bsdf fetchBsdf(Surface surface, vec3 wo) {
-  vec4 base = fetchMaterial(surface.material, 0.0);
-  vec4 layer = fetchMaterial(surface.material, 2.0);
-  float ior = surface.back > 0.5 ? 1.0 / layer.z : layer.z;
+  Layer layer = layerOf(surface);
+  float ior = surface.back > 0.5 ? 1.0 / layer.ior : layer.ior;
   vec2 albedo = vec2(0.0);
 #if GLOSS || MIRROR
-  albedo = fetchGlossAlbedo(wo.z, layer.x);
+  albedo = fetchGlossAlbedo(wo.z, layer.roughness);
 #endif
-  return Bsdf(base.rgb, base.a, layer.x, layer.y, ior, layer.w, albedo);
+  return Bsdf(baseColorOf(surface), layer.metallic, layer.roughness, layer.specular, ior,
+              layer.transmission, albedo);
 }

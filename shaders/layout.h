@@ -35,7 +35,7 @@
 // Triangles in leaf order; see triangle_data.glsl.
 //   0: vertex 0 x, y, z; 1 + material index, negative for the last triangle of a leaf
 //   1: vertex 1 x, y, z; area
-//   2: vertex 2 x, y, z; free
+//   2: vertex 2 x, y, z; 1 if light may pass it although it is hit (alpha.glsl), else 0
 #define TRIANGLE_TEXELS 3.0
 
 // Shading normals of a triangle, only where the scene has any.
@@ -48,7 +48,38 @@
 //   1: emission r, g, b; density of light samples on the surface, per square metre, negative where
 //   both sides emit
 //   2: roughness, specular, ior, transmission
-#define MATERIAL_TEXELS 3.0
+//   3 to 5: free
+//   6: alpha; below which alpha it is a hole, negative where alpha is a share; scale of the normal
+//   map; 1 where vertex colours multiply the emission
+//   from TEXTURE_USES on: the uses of pictures, in the order of the *_TEXTURE below
+#define MATERIAL_TEXELS 34.0
+#define TEXTURE_FACTORS 6.0
+#define TEXTURE_USES 7.0
+
+// One use of a picture.
+//   0: its rectangle in the atlas, in texels: x, y of its upper left corner, width, 0 where there
+//   is none; height
+//   1: texture coordinates to the picture's: coefficients of u, v in its u, in its v
+//   2: the sum's constants in u, in v; wraps, that of u + 4 * that of v (texture_wrap.glsl), + 16
+//   for the nearest filter; set of texture coordinates
+#define TEXTURE_USE_TEXELS 3.0
+#define BASE_COLOR_TEXTURE 0.0
+#define METALLIC_ROUGHNESS_TEXTURE 1.0
+#define EMISSION_TEXTURE 2.0
+#define NORMAL_TEXTURE 3.0
+#define TRANSMISSION_TEXTURE 4.0
+#define CLEARCOAT_TEXTURE 5.0
+#define CLEARCOAT_ROUGHNESS_TEXTURE 6.0
+#define SHEEN_COLOR_TEXTURE 7.0
+#define SHEEN_ROUGHNESS_TEXTURE 8.0
+
+// Vertex attributes of a triangle, only where the scene has any.
+//   0: texture coordinates, set 0, of vertex 0, of vertex 1
+//   1: set 0 of vertex 2; set 1 of vertex 2
+//   2: set 1 of vertex 0, of vertex 1
+//   3, 4, 5, only where the scene has vertex colours: r, g, b, alpha of vertex 0, 1, 2
+#define TEXCOORD_TEXELS 3.0
+#define COLOR_TEXELS 3.0
 
 // Side of the square table of gloss_albedo.glsl.
 #define GLOSS_TABLE_SIZE 32.0

@@ -13,16 +13,25 @@ struct LightSample {
 // The light arrives at the surface itself: the shadow ray starts a little above it, from where light
 // that grazes the surface would seem to come at another angle.
 LightSample sampleTriangleLight(Surface surface, vec3 origin, float choice, vec2 random) {
-  TriangleData data = fetchTriangle(chooseLight(choice));
+  float triangle = chooseLight(choice);
+  TriangleData data = fetchTriangle(triangle);
   Emission emission = fetchEmission(data.material);
   vec3 normal = normalize(cross(data.v1 - data.v0, data.v2 - data.v0));
-  vec3 point = interpolate(data.v0, data.v1, data.v2, sampleTriangle(random));
+  vec2 uv = sampleTriangle(random);
+  vec3 point = interpolate(data.v0, data.v1, data.v2, uv);
   vec3 to = point - surface.position;
   float distance2 = max(dot(to, to), 1.0e-30);
   vec3 direction = to * inversesqrt(distance2);
   float cosine = -dot(direction, normal);
   if (emission.both_sides) cosine = abs(cosine);
   vec3 facing = dot(normal, to) > 0.0 ? -normal : normal;
+#if EMISSION_TEXTURES
+  emission.radiance *= lookUpColor(data.material, EMISSION_TEXTURE,
+                                   interpolatedTexcoords(fetchTexcoords(triangle), uv)).rgb;
+#endif
+#if ALPHA
+  emission.radiance *= opacityAt(triangle, data.material, uv);
+#endif
   vec3 end = leaveSurface(point, facing, errorScale(data.v0, data.v1, data.v2));
   return LightSample(end - origin, 1.0, direction, emission.radiance,
                      emission.density * distance2 / max(cosine, 1.0e-7), cosine > 1.0e-7, true);

@@ -8,6 +8,12 @@ struct Surface {
   float material;
   float back;      // 1 where the path arrived at the triangle's back side, else 0
   float rise;      // of the position above the triangle; see shadow_terminator.glsl
+#if TEXTURES
+  vec4 texcoords;  // see attribute_data.glsl
+#endif
+#if VERTEX_COLORS
+  vec4 color;
+#endif
 };
 
 // Where the path came from, in the frame of the shading normal: always above, also where that normal
@@ -40,6 +46,22 @@ Surface surfaceOf(HitRecord record) {
   rise = dot(rises, vec3(1.0 - record.uv.x - record.uv.y, record.uv));
   position += geometric * rise;
 #endif
-  return Surface(position, side * normal, side * shading, errorScale(data.v0, data.v1, data.v2),
-                 data.material, record.back, rise);
+  shading *= side;
+#if TEXTURES
+  VertexTexcoords vertices = fetchTexcoords(record.triangle);
+  vec4 texcoords = interpolatedTexcoords(vertices, record.uv);
+#endif
+#if NORMAL_MAPS
+  shading = side * mappedNormal(data, vertices, texcoords, side * shading);
+  shading = turnedToViewer(shading, record.direction);
+#endif
+  return Surface(position, side * normal, shading, errorScale(data.v0, data.v1, data.v2),
+                 data.material, record.back, rise
+#if TEXTURES
+                 , texcoords
+#endif
+#if VERTEX_COLORS
+                 , interpolatedColor(record.triangle, record.uv)
+#endif
+                 );
 }

@@ -62,6 +62,18 @@ float emissionWeight(PathRay ray, Hit hit) {
 }
 #endif
 
+// Where the ray comes to.
+Hit followRay(inout PathRay ray) {
+#if ALPHA
+  alpha_random = ray.random;
+#endif
+  Hit hit = closestHit(ray.origin, ray.direction, ray.wanted);
+#if ALPHA
+  ray.random = alpha_random;
+#endif
+  return hit;
+}
+
 HitRecord recordOf(PathRay ray, Hit hit, float weight) {
   return HitRecord(hit.triangle, facingOf(hit.volumes) > 0.0 ? 1.0 : 0.0, weightsOf(hit.volumes),
                    ray.direction, ray.throughput, weight);

@@ -14,7 +14,7 @@ void main() {
 #if (MIRROR || GLASS) && FROM_RECORD
   ray.wanted = ray.wanted && (uDeltaOnly < 0.5 || ray.pdf >= PDF_DELTA);
 #endif
-  Hit hit = closestHit(ray.origin, ray.direction, ray.wanted);
+  Hit hit = followRay(ray);
 
 #if FROM_CAMERA
   float weight = 1.0;

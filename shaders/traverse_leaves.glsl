@@ -12,7 +12,11 @@ Hit closestHit(vec3 origin, vec3 direction, bool wanted) {
     for (int k = 0; k < MAX_STEPS; k++) {
       TriangleData data = fetchTriangle(index);
       TriangleHit met = intersectTriangle(origin, direction, data.v0, data.v1, data.v2, hit.t);
-      if (isInTheWay(met.t)) hit = Hit(index, met.t, met.volumes, data.material, data.area);
+      bool in_the_way = isInTheWay(met.t);
+#if ALPHA
+      in_the_way = stopsPath(data, index, met, in_the_way);
+#endif
+      if (in_the_way) hit = Hit(index, met.t, met.volumes, data.material, data.area);
       if (data.last) break;
       index += 1.0;
     }
@@ -21,23 +25,29 @@ Hit closestHit(vec3 origin, vec3 direction, bool wanted) {
   return hit;
 }
 
-// 1 where nothing stands between the origin and `far` times the direction from there, 0 where
-// something does, negative where the traversal was cut short.
+// The share of light that passes between the origin and `far` times the direction from there: 1 where
+// nothing is in its way, 0 where something is, negative where the traversal was cut short.
 float visibility(vec3 origin, vec3 direction, float far, bool wanted) {
   Walk walk = startWalk(origin, direction, wanted);
   bool blocked = false;
+  float passed = 1.0;
   for (int i = 0; i < MAX_STEPS; i++) {
     walkToLeaf(walk, far);
     if (walk.link >= 0.0) break;
     float index = -1.0 - walk.link;
     for (int k = 0; k < MAX_STEPS; k++) {
       TriangleData data = fetchTriangle(index);
-      blocked = intersectTriangle(origin, direction, data.v0, data.v1, data.v2, far).t >= 0.0;
+      TriangleHit met = intersectTriangle(origin, direction, data.v0, data.v1, data.v2, far);
+      blocked = met.t >= 0.0;
+#if ALPHA
+      passed *= shareThatPasses(data, index, met, blocked);
+      blocked = passed <= 0.0;
+#endif
       if (blocked || data.last) break;
       index += 1.0;
     }
     if (blocked) break;
   }
   if (blocked) return 0.0;
-  return walk.link == 0.0 ? 1.0 : -1.0;
+  return walk.link == 0.0 ? passed : -1.0;
 }

@@ -17,7 +17,7 @@ Path startPath(PathRay ray) {
 // Follows the ray, and adds the light found where it ends. `first`: the ray is the camera's, which
 // no light sample competes with.
 void meetSurface(inout Path path, vec4 random, bool first, bool last) {
-  Hit hit = closestHit(path.ray.origin, path.ray.direction, path.ray.wanted);
+  Hit hit = followRay(path.ray);
   path.record = recordOf(path.ray, hit, first ? 1.0 : emissionWeight(path.ray, hit));
   vec3 throughput = path.ray.throughput;
   float largest = max(throughput.r, max(throughput.g, throughput.b));

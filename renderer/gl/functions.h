@@ -44,6 +44,7 @@ using ProcLoader = std::function<void*(const char* name)>;
   X(GenFramebuffers, PFNGLGENFRAMEBUFFERSPROC)                   \
   X(GenRenderbuffers, PFNGLGENRENDERBUFFERSPROC)                 \
   X(GenTextures, PFNGLGENTEXTURESPROC)                           \
+  X(GetActiveUniform, PFNGLGETACTIVEUNIFORMPROC)                 \
   X(GetError, PFNGLGETERRORPROC)                                 \
   X(GetIntegerv, PFNGLGETINTEGERVPROC)                           \
   X(GetProgramInfoLog, PFNGLGETPROGRAMINFOLOGPROC)               \

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <regex>
 #include <sstream>
 
@@ -58,6 +59,33 @@ ShaderHandle compile(const Functions& gl, const std::string& name, GLenum stage,
   return shader;
 }
 
+// Samplers that a linked program reads: it takes as many texture units.
+int samplersOf(const Functions& gl, GLuint program) {
+  GLint uniforms = 0;
+  gl.GetProgramiv(program, GL_ACTIVE_UNIFORMS, &uniforms);
+  int samplers = 0;
+  for (GLint i = 0; i < uniforms; ++i) {
+    std::array<char, 64> name{};
+    GLint size = 0;
+    GLenum type = 0;
+    gl.GetActiveUniform(program, static_cast<GLuint>(i), name.size(), nullptr, &size, &type,
+                        name.data());
+    if (type == GL_SAMPLER_2D) ++samplers;
+  }
+  return samplers;
+}
+
+void demandUnits(const Functions& gl, GLuint program, const std::string& name) {
+  GLint units = 0;
+  gl.GetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
+  const int samplers = samplersOf(gl, program);
+  if (samplers <= units) return;
+  throw Error(ErrorKind::no_gl,
+              fmt::format("the shader '{}' reads {} textures, but this device has {} texture "
+                          "units; use another device, or a scene with fewer effects",
+                          name, samplers, units));
+}
+
 }  // namespace
 
 Program::Program(const Functions& gl, const std::string& name, const std::string& vertex_source,
@@ -72,7 +100,10 @@ Program::Program(const Functions& gl, const std::string& name, const std::string
   gl.LinkProgram(handle_.name());
   GLint linked = GL_FALSE;
   gl.GetProgramiv(handle_.name(), GL_LINK_STATUS, &linked);
-  if (linked) return;
+  if (linked) {
+    demandUnits(gl, handle_.name(), name);
+    return;
+  }
   checkErrors(gl, fmt::format("linking the shader '{}'", name));
   throw Error(
       ErrorKind::failed,

@@ -41,8 +41,9 @@ Texture Texture::floats(const Functions& gl, FloatForm form, int width, int heig
   return {gl, internal_format, GL_FLOAT, width, height, texels.empty() ? nullptr : texels.data()};
 }
 
-Texture Texture::bytes(const Functions& gl, int width, int height) {
-  return {gl, GL_RGBA, GL_UNSIGNED_BYTE, width, height, nullptr};
+Texture Texture::bytes(const Functions& gl, int width, int height,
+                       const std::vector<std::uint8_t>& texels) {
+  return {gl, GL_RGBA, GL_UNSIGNED_BYTE, width, height, texels.empty() ? nullptr : texels.data()};
 }
 
 void Texture::bind(int unit) const {

@@ -1,6 +1,7 @@
 // Textures that hold numbers.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "renderer/core/vector.h"
@@ -26,8 +27,10 @@ class Texture {
   static Texture floats(const Functions& gl, FloatForm form, int width, int height,
                         const std::vector<Vec4>& texels = {});
 
-  // Four bytes a texel, content undefined.
-  static Texture bytes(const Functions& gl, int width, int height);
+  // Four bytes a texel. `texels` has 4 * width * height elements, or none: then the content is
+  // undefined. Errors: as above.
+  static Texture bytes(const Functions& gl, int width, int height,
+                       const std::vector<std::uint8_t>& texels = {});
 
   int width() const { return width_; }
   int height() const { return height_; }

@@ -1,6 +1,7 @@
 #include "renderer/passes/light_table.h"
 
 #include "renderer/passes/alias_table.h"
+#include "renderer/scene/texture_uses.h"
 
 namespace glimt {
 namespace {
@@ -10,27 +11,27 @@ namespace {
 constexpr double kEvenShare = 0.2;
 
 // Of each material that emits, in square metres; 0 for the others.
-std::vector<double> emittingAreas(const Scene& scene) {
+std::vector<double> emittingAreas(const Scene& scene, const std::vector<double>& weights) {
   std::vector<double> areas(scene.materials.size());
   for (const Triangle& triangle : scene.triangles)
-    if (emissionWeight(scene.materials[triangle.material]) > 0)
-      areas[triangle.material] += areaOf(scene, triangle);
+    if (weights[triangle.material] > 0) areas[triangle.material] += areaOf(scene, triangle);
   return areas;
 }
 
 // Of samples on each material. Their integral over all areas is 1.
-std::vector<double> densitiesOf(const Scene& scene, const std::vector<double>& areas) {
+std::vector<double> densitiesOf(const std::vector<double>& weights,
+                                const std::vector<double>& areas) {
   double total_power = 0;
   double materials = 0;
   for (std::size_t i = 0; i < areas.size(); ++i) {
-    total_power += areas[i] * emissionWeight(scene.materials[i]);
+    total_power += areas[i] * weights[i];
     materials += areas[i] > 0;
   }
   std::vector<double> densities(areas.size());
   for (std::size_t i = 0; i < areas.size(); ++i)
     if (areas[i] > 0)
-      densities[i] = (1 - kEvenShare) * emissionWeight(scene.materials[i]) / total_power +
-                     kEvenShare / (materials * areas[i]);
+      densities[i] =
+          (1 - kEvenShare) * weights[i] / total_power + kEvenShare / (materials * areas[i]);
   return densities;
 }
 
@@ -43,15 +44,23 @@ double areaOf(const Scene& scene, const Triangle& triangle) {
   return 0.5 * glm::length(glm::cross(b - a, c - a));
 }
 
-double emissionWeight(const Material& material) {
-  const glm::dvec3 e(material.emission);
+double emissionWeight(const Scene& scene, const Material& material) {
+  // A picture that is black, or nearly, still may have a bright spot.
+  constexpr float kLeastMean = 1e-3f;
+  if (material.unlit) return 0;
+  glm::dvec3 e(material.emission);
+  if (material.emission_texture.used())
+    e *= glm::max(meanOfColors(scene.images[material.emission_texture.image]), Vec3(kLeastMean));
   return (e.r + e.g + e.b) / 3 * (material.double_sided ? 2 : 1);
 }
 
 LightTable buildLightTable(const Scene& scene) {
   LightTable table;
-  const std::vector<double> areas = emittingAreas(scene);
-  table.densities = densitiesOf(scene, areas);
+  std::vector<double> weights;
+  for (const Material& material : scene.materials)
+    weights.push_back(emissionWeight(scene, material));
+  const std::vector<double> areas = emittingAreas(scene, weights);
+  table.densities = densitiesOf(weights, areas);
   std::vector<double> shares;
   std::vector<std::uint32_t> triangles;
   for (std::uint32_t i = 0; i < scene.triangles.size(); ++i) {

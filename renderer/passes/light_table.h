@@ -24,9 +24,10 @@ struct LightTable {
 // Square metres.
 double areaOf(const Scene& scene, const Triangle& triangle);
 
-// The radiance by which a material's triangles are chosen, per area: the mean of the channels,
-// twice that where both sides emit.
-double emissionWeight(const Material& material);
+// The radiance by which a material's triangles are chosen, per area: the mean of the channels, and
+// of the picture where it has one; twice that where both sides emit. 0 for an unlit material, which
+// is no light.
+double emissionWeight(const Scene& scene, const Material& material);
 
 // Most samples go to triangles in proportion to their power, area * emissionWeight. A fifth is
 // dealt out evenly among the materials that emit: where only a weak light arrives, it is found all

@@ -12,7 +12,9 @@
 #include "renderer/passes/gloss_table.h"
 #include "renderer/passes/light_shares.h"
 #include "renderer/passes/light_table.h"
+#include "renderer/passes/material_texels.h"
 #include "renderer/passes/punctual_lights.h"
+#include "renderer/passes/vertex_attributes.h"
 #include "renderer/scene/effects_of.h"
 #include "shaders/layout.h"
 
@@ -30,7 +32,8 @@ std::vector<Vec4> packTriangles(const Scene& scene, const Bvh& bvh) {
     const Vec3& v2 = scene.positions[triangle.positions[third]];
     texels.emplace_back(v0, 1.0f + static_cast<float>(triangle.material));
     texels.emplace_back(v1, static_cast<float>(areaOf(scene, triangle)));
-    texels.emplace_back(v2, 0.0f);
+    const bool passable = scene.materials[triangle.material].alpha_mode != AlphaMode::opaque;
+    texels.emplace_back(v2, passable ? 1.0f : 0.0f);
   }
   for (const BvhNode& node : bvh.nodes) {
     if (!node.leaf()) continue;
@@ -73,18 +76,6 @@ std::vector<Vec4> packNormals(const Scene& scene, const Bvh& bvh) {
                         encodeOctahedral(side * scene.normals[triangle.normals[second]]));
     texels.emplace_back(encodeOctahedral(side * scene.normals[triangle.normals[third]]),
                         Vec2(1, 0));
-  }
-  return texels;
-}
-
-std::vector<Vec4> packMaterials(const Scene& scene, const LightTable& lights) {
-  std::vector<Vec4> texels;
-  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-    const Material& material = scene.materials[i];
-    const auto density = static_cast<float>(lights.densities[i]);
-    texels.emplace_back(material.base_color, material.metallic);
-    texels.emplace_back(material.emission, material.double_sided ? -density : density);
-    texels.emplace_back(material.roughness, material.specular, material.ior, material.transmission);
   }
   return texels;
 }
@@ -134,7 +125,9 @@ SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene, const
   const LightTable lights = buildLightTable(scene);
   nodes_ = makeDataTexture(device, std::move(nodes.texels), "tree nodes");
   triangles_ = makeDataTexture(device, packTriangles(scene, bvh), "triangles");
-  materials_ = makeDataTexture(device, packMaterials(scene, lights), "materials");
+  atlas_ = TextureAtlas(device, scene);
+  attributes_ = makeDataTexture(device, packAttributes(scene, bvh.order), "vertex attributes");
+  materials_ = makeDataTexture(device, packMaterials(scene, lights, atlas_), "materials");
   lights_ = makeDataTexture(device, packLights(lights, bvh), "lights");
   std::vector<Vec4> punctual = packPunctualLights(scene);
   punctual_light_count_ = punctual.size() / static_cast<std::size_t>(PUNCTUAL_LIGHT_TEXELS);
@@ -161,6 +154,8 @@ void SceneTextures::bind(gl::Program& program) const {
   bindData(program, "uMaterials", materials_);
   bindData(program, "uNormals", normals_);
   bindData(program, "uLights", lights_);
+  bindData(program, "uAttributes", attributes_);
+  atlas_.bind(program);
   program.set("uGlossTable", gloss_table_);
   program.set("uNodesPerCopy", static_cast<float>(nodes_per_copy_));
   program.set("uTriangleCount", static_cast<float>(triangle_count_));
@@ -177,10 +172,10 @@ void SceneTextures::bind(gl::Program& program) const {
 std::size_t SceneTextures::bytes() const {
   std::size_t texels = 0;
   for (const gl::Texture* texture :
-       {&nodes_, &triangles_, &normals_, &materials_, &lights_, &punctual_lights_})
+       {&nodes_, &triangles_, &normals_, &attributes_, &materials_, &lights_, &punctual_lights_})
     texels +=
         static_cast<std::size_t>(texture->width()) * static_cast<std::size_t>(texture->height());
-  return texels * sizeof(Vec4) + environment_map_.bytes();
+  return texels * sizeof(Vec4) + environment_map_.bytes() + atlas_.bytes();
 }
 
 }  // namespace glimt

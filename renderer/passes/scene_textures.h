@@ -5,6 +5,7 @@
 #include "renderer/gl/program.h"
 #include "renderer/passes/environment_map.h"
 #include "renderer/passes/scene_tree.h"
+#include "renderer/passes/texture_atlas.h"
 #include "renderer/scene/scene.h"
 
 namespace glimt {
@@ -26,12 +27,15 @@ class SceneTextures {
   std::size_t nodeCount() const { return node_count_; }
   std::size_t stackSize() const { return stack_size_; }  // see stackSizeOf()
   std::size_t bytes() const;
+  const std::vector<std::string>& warnings() const { return atlas_.warnings(); }
   double buildSeconds() const { return build_seconds_; }
 
  private:
   gl::Texture nodes_;
   gl::Texture triangles_;
   gl::Texture normals_;
+  gl::Texture attributes_;
+  TextureAtlas atlas_;
   gl::Texture materials_;
   gl::Texture lights_;
   gl::Texture punctual_lights_;

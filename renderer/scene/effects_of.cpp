@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "renderer/core/wording.h"
+#include "renderer/scene/texture_uses.h"
 
 namespace glimt {
 namespace {
@@ -14,10 +15,11 @@ bool anyPositive(const Vec3& v) {
 }
 
 EffectReport reportTriangleLights(const Scene& scene) {
-  const auto count = std::count_if(
-      scene.triangles.begin(), scene.triangles.end(), [&scene](const Triangle& triangle) {
-        return anyPositive(scene.materials[triangle.material].emission);
-      });
+  const auto count = std::count_if(scene.triangles.begin(), scene.triangles.end(),
+                                   [&scene](const Triangle& triangle) {
+                                     const Material& material = scene.materials[triangle.material];
+                                     return !material.unlit && anyPositive(material.emission);
+                                   });
   const std::string reason =
       count == 0 ? "no triangle emits"
                  : fmt::format("{} emit{}", counted(static_cast<std::size_t>(count), "triangle"),
@@ -72,12 +74,29 @@ EffectReport reportMaterials(const Scene& scene, Effect effect, bool (*is)(const
   return {effect, nameOf(effect), !names.empty(), reason};
 }
 
+EffectReport reportVertexColors(const Scene& scene) {
+  const auto count = std::count_if(scene.triangles.begin(), scene.triangles.end(),
+                                   [](const Triangle& triangle) { return triangle.colored(); });
+  const std::string reason =
+      count == 0 ? "no triangle has colours"
+                 : fmt::format("of {}", counted(static_cast<std::size_t>(count), "triangle"));
+  return {Effect::vertex_colors, nameOf(Effect::vertex_colors), count > 0, reason};
+}
+
+bool looksUp(const Material& material) {
+  for (const TextureUse* use : usesOf(material))
+    if (use->used()) return true;
+  return false;
+}
+
 bool reflects(const Material& material) {
-  return material.metallic > 0 || (material.specular > 0 && material.transmission < 1);
+  return !material.unlit &&
+         (material.metallic > 0 || (material.specular > 0 && material.transmission < 1));
 }
 
 bool transmits(const Material& material) {
-  return material.metallic < 1 && material.transmission > 0;
+  const bool metal = material.metallic == 1 && !material.metallic_roughness_texture.used();
+  return !material.unlit && !metal && material.transmission > 0;
 }
 
 EffectReport reportPunctualLights(const Scene& scene) {
@@ -115,17 +134,31 @@ std::vector<EffectReport> reportEffects(const Scene& scene) {
   const auto mirror = [](const Material& m) { return reflects(m) && m.roughness == 0; };
   const auto glass = [](const Material& m) { return transmits(m) && m.roughness == 0; };
   const auto rough_glass = [](const Material& m) { return transmits(m) && m.roughness > 0; };
-  return {reportTriangleLights(scene),
-          reportEnvironment(scene),
-          reportEnvironmentMap(scene),
-          reportSmoothNormals(scene),
-          reportMaterials(scene, Effect::gloss, gloss, "rough and reflecting"),
-          reportMaterials(scene, Effect::mirror, mirror, "smooth and reflecting"),
-          reportMaterials(scene, Effect::glass, glass, "smooth and transmitting"),
-          reportMaterials(scene, Effect::rough_glass, rough_glass, "rough and transmitting"),
-          reportPunctualLights(scene),
-          reportLens(scene.camera),
-          reportOrthographic(scene.camera)};
+  const auto emits_texture = [](const Material& m) {
+    const Material shaded = shadedAs(m);
+    return shaded.emission_texture.used() && anyPositive(shaded.emission);
+  };
+  const auto normal_map = [](const Material& m) { return m.normal_texture.used(); };
+  const auto passable = [](const Material& m) { return m.alpha_mode != AlphaMode::opaque; };
+  const auto unlit = [](const Material& m) { return m.unlit; };
+  return {
+      reportTriangleLights(scene),
+      reportEnvironment(scene),
+      reportEnvironmentMap(scene),
+      reportSmoothNormals(scene),
+      reportMaterials(scene, Effect::gloss, gloss, "rough and reflecting"),
+      reportMaterials(scene, Effect::mirror, mirror, "smooth and reflecting"),
+      reportMaterials(scene, Effect::glass, glass, "smooth and transmitting"),
+      reportMaterials(scene, Effect::rough_glass, rough_glass, "rough and transmitting"),
+      reportMaterials(scene, Effect::textures, looksUp, "textured"),
+      reportMaterials(scene, Effect::emission_textures, emits_texture, "emitting with a texture"),
+      reportMaterials(scene, Effect::normal_maps, normal_map, "normal-mapped"),
+      reportVertexColors(scene),
+      reportMaterials(scene, Effect::alpha, passable, "letting light pass"),
+      reportMaterials(scene, Effect::unlit, unlit, "unlit"),
+      reportPunctualLights(scene),
+      reportLens(scene.camera),
+      reportOrthographic(scene.camera)};
 }
 
 EffectSet effectsOf(const Scene& scene) {

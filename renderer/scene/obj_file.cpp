@@ -10,8 +10,10 @@
 #include "renderer/core/file.h"
 #include "renderer/core/wording.h"
 #include "renderer/scene/mtl_file.h"
+#include "renderer/scene/mtl_images.h"
 #include "renderer/scene/obj_lines.h"
 #include "renderer/scene/obj_mesh.h"
+#include "renderer/scene/path_beside.h"
 #include "renderer/scene/polygon.h"
 
 namespace glimt {
@@ -23,17 +25,6 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t kLargestObj = 512 << 20;
 constexpr std::size_t kMostLibraries = 100;
 constexpr std::size_t kMostTriangles = 1 << 23;
-
-// The file that an mtllib line means: relative to the OBJ, whichever way its slashes lean, or just
-// beside it when it stood somewhere else where the OBJ was made. Empty when there is none.
-fs::path libraryPath(const fs::path& folder, std::string name) {
-  std::replace(name.begin(), name.end(), '\\', '/');
-  std::error_code ignored;
-  for (const fs::path& path : {folder / fs::path(name), folder / fs::path(name).filename()}) {
-    if (!name.empty() && fs::exists(path, ignored) && !fs::is_directory(path, ignored)) return path;
-  }
-  return {};
-}
 
 // What may be one name with blanks, or several names, or one with escaped blanks.
 std::vector<std::string> namesIn(const std::string& line) {
@@ -58,13 +49,13 @@ std::vector<fs::path> librariesOf(const ObjMesh& mesh, const fs::path& folder,
   std::vector<fs::path> paths;
   for (const std::string& line : mesh.material_libraries) {
     if (paths.size() + missing.size() >= kMostLibraries) break;
-    if (const fs::path whole = libraryPath(folder, line); !whole.empty()) {
+    if (const fs::path whole = pathBeside(folder, line); !whole.empty()) {
       paths.push_back(whole);
       continue;
     }
     for (const std::string& name : namesIn(line)) {
       if (paths.size() + missing.size() >= kMostLibraries) return paths;
-      const fs::path path = libraryPath(folder, name);
+      const fs::path path = pathBeside(folder, name);
       if (path.empty()) {
         missing.push_back(name);
       } else {
@@ -93,14 +84,17 @@ std::vector<MtlMaterial> readLibraries(const ObjMesh& mesh, const fs::path& fold
 }
 
 void warnAbout(const std::vector<MtlMaterial>& used, std::vector<std::string>& warnings) {
-  std::vector<std::string> textured;
+  std::vector<std::string> ignored;
   std::vector<std::string> simplified;
   for (const MtlMaterial& m : used) {
-    if (m.textured) textured.push_back(m.material.name);
+    if (m.has_other_textures) ignored.push_back(m.material.name);
     if (m.beyond_lambert) simplified.push_back(m.material.name);
   }
-  if (!textured.empty()) {
-    warnings.push_back(fmt::format("textures are ignored for now, of {}", listed(textured)));
+  if (!ignored.empty()) {
+    warnings.push_back(fmt::format(
+        "the MTL names textures of kinds that have no place in the material, of {}; use map_Kd, "
+        "map_d, map_Ke, map_Pr, map_Pm or norm",
+        listed(ignored)));
   }
   if (!simplified.empty()) {
     warnings.push_back(
@@ -129,11 +123,13 @@ std::vector<std::uint32_t> resolveMaterials(const ObjMesh& mesh, const fs::path&
   std::vector<std::uint32_t> resolved;
   std::vector<MtlMaterial> used;
   std::vector<std::string> undefined;
+  MtlImages images(folder, scene);
   for (const std::string& name : mesh.material_names) {
     const auto found = scene_index.find(name);
     if (found != scene_index.end()) {
       resolved.push_back(found->second);
       used.push_back(library[library_index.at(name)]);
+      images.addTo(scene.materials[found->second], used.back().textures);
       continue;
     }
     resolved.push_back(static_cast<std::uint32_t>(scene.materials.size()));
@@ -144,6 +140,7 @@ std::vector<std::uint32_t> resolveMaterials(const ObjMesh& mesh, const fs::path&
     scene.warnings.push_back(
         fmt::format("no material file defines {}; rendered grey", listed(undefined)));
   }
+  images.warn();
   warnAbout(used, scene.warnings);
   return resolved;
 }
@@ -171,10 +168,18 @@ void placeVertices(const ObjMesh& mesh, Scene& scene) {
     scene.positions.emplace_back(position - scene.origin);
 }
 
+// OBJ's v runs up.
+void placeTexcoords(const ObjMesh& mesh, Scene& scene) {
+  scene.texcoords.reserve(mesh.texcoords.size());
+  for (const Vec2& at : mesh.texcoords)
+    scene.texcoords.push_back({{Vec2(at.x, 1 - at.y), Vec2(0)}});
+}
+
 // How many faces had to be left as they are not, and the effort that is left for concave ones.
 struct FaceFlaws {
   std::size_t too_few_corners = 0;
   std::size_t normal_out_of_range = 0;
+  std::size_t texcoord_out_of_range = 0;
   std::int64_t effort = kEffortForFile;
 };
 
@@ -183,13 +188,18 @@ void addFace(const ObjMesh& mesh, const ObjMesh::Face& face, std::uint32_t mater
   const ObjMesh::Corner* corners = mesh.corners.data() + face.first_corner;
   std::vector<Vec3> points;
   bool normals_in_range = true;
+  bool texcoords_in_range = true;
   for (std::uint32_t i = 0; i < face.corner_count; ++i) {
     points.push_back(scene.positions[corners[i].position]);
     const std::uint32_t normal = corners[i].normal;
     normals_in_range = normals_in_range && (normal == kNoIndex || normal < mesh.normals.size());
+    const std::uint32_t texcoord = corners[i].texcoord;
+    texcoords_in_range =
+        texcoords_in_range && (texcoord == kNoIndex || texcoord < mesh.texcoords.size());
   }
   if (face.corner_count < 3) ++flaws.too_few_corners;
   if (!normals_in_range) ++flaws.normal_out_of_range;
+  if (!texcoords_in_range) ++flaws.texcoord_out_of_range;
   for (const auto& cut : triangulate(points, flaws.effort)) {
     Triangle triangle;
     triangle.material = material;
@@ -197,6 +207,7 @@ void addFace(const ObjMesh& mesh, const ObjMesh::Face& face, std::uint32_t mater
       const ObjMesh::Corner& corner = corners[cut[k]];
       triangle.positions[k] = corner.position;
       triangle.normals[k] = normals_in_range ? corner.normal : kNoIndex;
+      triangle.texcoords[k] = texcoords_in_range ? corner.texcoord : kNoIndex;
     }
     scene.triangles.push_back(triangle);
   }
@@ -255,6 +266,8 @@ Scene readObjFile(const fs::path& path) {
     demandFewer(scene, face, shown_path);
   }
   scene.normals = std::move(mesh.normals);
+  // Where nothing is looked up, coordinates would only take memory.
+  if (!scene.images.empty()) placeTexcoords(mesh, scene);
   if (flaws.effort <= 0) {
     scene.warnings.push_back(
         "too many corners in faces that are not convex; some may be cut wrongly");
@@ -266,6 +279,11 @@ Scene readObjFile(const fs::path& path) {
   if (flaws.normal_out_of_range > 0) {
     scene.warnings.push_back(fmt::format("shaded {} flat: a normal that the file does not have",
                                          counted(flaws.normal_out_of_range, "face")));
+  }
+  if (flaws.texcoord_out_of_range > 0 && !scene.images.empty()) {
+    scene.warnings.push_back(
+        fmt::format("left {} without a texture: coordinates that the file does not have",
+                    counted(flaws.texcoord_out_of_range, "face")));
   }
   return scene;
 }

@@ -59,6 +59,9 @@ class Collector : public tinyobj::MaterialReader {
     callback.normal_cb = [](void* self, float, float, float) {
       static_cast<Collector*>(self)->addNormal();
     };
+    callback.texcoord_cb = [](void* self, float, float, float) {
+      static_cast<Collector*>(self)->addTexcoord();
+    };
     callback.index_cb = [](void* self, tinyobj::index_t* corners, int count) {
       static_cast<Collector*>(self)->addFace(corners, count);
     };
@@ -122,6 +125,16 @@ class Collector : public tinyobj::MaterialReader {
     mesh_.normals.emplace_back(vectorOfLine());
   }
 
+  // The second number may be missing: then it is 0.
+  void addTexcoord() {
+    demandFewer(mesh_.texcoords.size(), kMostVertices, "texture coordinates");
+    std::string_view rest = lines_.line();
+    takeWord(rest);
+    const double u = numberIn(takeWord(rest));
+    const std::string_view v = takeWord(rest);
+    mesh_.texcoords.emplace_back(u, v.empty() ? 0 : numberIn(v));
+  }
+
   // From OBJ's count, which begins at 1 and runs backwards when negative.
   std::uint32_t indexOf(int number, std::size_t count, const char* what) const {
     if (number > 0) return static_cast<std::uint32_t>(number - 1);
@@ -137,6 +150,15 @@ class Collector : public tinyobj::MaterialReader {
     return static_cast<std::uint32_t>(index);
   }
 
+  // A wrong one costs a face its texture, not the file: it becomes one that is out of range.
+  std::uint32_t texcoordOf(int number) const {
+    if (number == 0) return kNoIndex;
+    const bool too_far_back =
+        number < 0 && static_cast<std::int64_t>(mesh_.texcoords.size()) + number < 0;
+    return too_far_back ? kNoIndex - 1
+                        : indexOf(number, mesh_.texcoords.size(), "texture coordinate");
+  }
+
   void addFace(const tinyobj::index_t* corners, int count) {
     demandFewer(mesh_.faces.size(), kMostFaces, "faces");
     demandFewer(mesh_.corners.size() + static_cast<std::size_t>(count), kMostCorners, "corners");
@@ -148,11 +170,12 @@ class Collector : public tinyobj::MaterialReader {
     for (int i = 0; i < count; ++i) {
       const tinyobj::index_t& corner = corners[i];
       const std::uint32_t position = indexOf(corner.vertex_index, mesh_.positions.size(), "vertex");
-      // tinyobjloader says 0 where no normal is given.
+      // tinyobjloader says 0 where nothing is given.
       const std::uint32_t normal =
           corner.normal_index == 0 ? kNoIndex
                                    : indexOf(corner.normal_index, mesh_.normals.size(), "normal");
-      mesh_.corners.push_back({position, normal});
+      const std::uint32_t texcoord = texcoordOf(corner.texcoord_index);
+      mesh_.corners.push_back({position, normal, texcoord});
     }
     mesh_.faces.push_back(face);
   }

@@ -13,7 +13,8 @@ namespace glimt {
 struct ObjMesh {
   struct Corner {
     std::uint32_t position;
-    std::uint32_t normal;  // kNoIndex: none given
+    std::uint32_t normal;    // kNoIndex: none given
+    std::uint32_t texcoord;  // the same
   };
   struct Face {
     std::size_t first_corner;
@@ -24,6 +25,7 @@ struct ObjMesh {
 
   std::vector<glm::dvec3> positions;  // NaN where the file has no number
   std::vector<Vec3> normals;
+  std::vector<Vec2> texcoords;  // v running up
   std::vector<Corner> corners;  // not negative, but not checked against the sizes
   std::vector<Face> faces;
   std::vector<std::string> material_names;      // what `usemtl` lines name, once each

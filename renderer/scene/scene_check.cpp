@@ -8,6 +8,7 @@
 
 #include "renderer/core/wording.h"
 #include "renderer/scene/light_check.h"
+#include "renderer/scene/texture_uses.h"
 
 namespace glimt {
 namespace {
@@ -192,6 +193,7 @@ void checkScene(Scene& scene) {
   removeUnused(scene);
   checkMaterials(scene);
   checkLights(scene);
+  checkTextures(scene);
 }
 
 }  // namespace glimt

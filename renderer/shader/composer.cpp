@@ -58,6 +58,8 @@ bool isMet(const Condition& condition, const EffectSet& effects) {
 constexpr unsigned kReflecting = bit(Effect::gloss) | bit(Effect::mirror);
 constexpr unsigned kRough = bit(Effect::gloss) | bit(Effect::rough_glass);
 constexpr unsigned kTransmitting = bit(Effect::glass) | bit(Effect::rough_glass);
+constexpr unsigned kTextured = bit(Effect::textures);
+constexpr unsigned kVaried = kTextured | bit(Effect::vertex_colors);
 constexpr unsigned kLayered = kReflecting | kTransmitting;  // more than Lambert surfaces
 
 struct Piece {
@@ -104,12 +106,26 @@ const auto kPieces = std::to_array<Piece>({
     {"texel_address.glsl", kPaths, {}},
     {"triangle_data.glsl", kPaths, {}},
     {"material_data.glsl", kBounces, {}},
+    {"texture_wrap.glsl", kBounces, with(kTextured)},
+    {"srgb_decoding.glsl", kBounces, with(kTextured)},
+    {"texture_data.glsl", kBounces, with(kTextured)},
+    {"attribute_data.glsl", kBounces, with(kVaried)},
+    {"normal_map.glsl", kBounces, with(Effect::normal_maps)},
     {"normal_data.glsl", kBounces, with(Effect::smooth_normals)},
     {"shadow_terminator.glsl", kBounces, with(Effect::smooth_normals)},
     {"surface.glsl", kBounces, {}},
+    {"plain_material.glsl", kBounces, without(kVaried)},
+    {"textured_material.glsl", kBounces, with(kVaried)},
     {"gloss_albedo.glsl", kBounces, with(kReflecting)},
     {"lambert_data.glsl", kBounces, without(kLayered)},
     {"layered_data.glsl", kBounces, with(kLayered)},
+    // The camera's rays ask for the materials only where they may pass them.
+    {"material_data.glsl", kCamera, with(Effect::alpha)},
+    {"texture_wrap.glsl", kCamera, with(Effect::alpha)},
+    {"srgb_decoding.glsl", kCamera, with(Effect::alpha)},
+    {"texture_data.glsl", kCamera, with(Effect::alpha)},
+    {"attribute_data.glsl", kCamera, with(Effect::alpha)},
+    {"alpha.glsl", kPaths, with(Effect::alpha)},
     {"traversal.glsl", kPaths, {}},
     {"node_data.glsl", kPaths, {}},
     {kTraversal, kPaths, {}},
@@ -270,7 +286,7 @@ std::string composeTraversalProbe(const std::string& traversal, const std::strin
   };
   insertBehind("prelude.glsl");
   for (const Piece& piece : kPieces) {
-    if (!(piece.passes & kCamera)) continue;
+    if (!(piece.passes & kCamera) || !isMet(piece.condition, {})) continue;
     if (piece.file == kTraversal) break;
     add(piece.file);
   }

@@ -33,6 +33,8 @@ namespace {
 #include "shaders/display_transform.glsl"
 #include "shaders/tone_agx.glsl"
 #include "shaders/tone_aces.glsl"
+#include "shaders/texture_wrap.glsl"
+#include "shaders/srgb_decoding.glsl"
 // clang-format on
 }  // namespace
 #undef float

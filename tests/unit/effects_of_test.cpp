@@ -141,3 +141,25 @@ TEST_CASE("a camera turns on the one effect that it is, in the scene and when it
   CHECK(withCamera(lens, scene.camera) == effectsOf(scene));
   CHECK(withCamera(lens, Camera()).none());
 }
+
+TEST_CASE("pictures, vertex colours, alpha and unlit surfaces are effects of materials in use") {
+  Scene scene = sceneOf(1);
+  scene.images.resize(1);
+  scene.materials[1].base_color_texture.image = 0;
+  CHECK(effectsOf(scene).none());  // no triangle has it
+  scene.materials[0].normal_texture.image = 0;
+  CHECK(has(effectsOf(scene), Effect::textures));
+  CHECK(has(effectsOf(scene), Effect::normal_maps));
+  scene.triangles[0].colors.fill(0);
+  CHECK(has(effectsOf(scene), Effect::vertex_colors));
+  scene.materials[0].alpha_mode = AlphaMode::mask;
+  CHECK(has(effectsOf(scene), Effect::alpha));
+  scene.materials[0].emission_texture.image = 0;
+  CHECK_FALSE(has(effectsOf(scene), Effect::emission_textures));  // of a surface that is dark
+  scene.materials[0].emission = Vec3(1);
+  CHECK(has(effectsOf(scene), Effect::emission_textures));
+  CHECK(has(effectsOf(scene), Effect::triangle_lights));
+  scene.materials[0].unlit = true;
+  CHECK(has(effectsOf(scene), Effect::unlit));
+  CHECK_FALSE(has(effectsOf(scene), Effect::triangle_lights));
+}
