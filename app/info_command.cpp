@@ -69,6 +69,19 @@ Json materialsOf(const Scene& scene) {
   return materials;
 }
 
+std::vector<std::string> cameraNames(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const NamedCamera& camera : scene.cameras) names.push_back(camera.name);
+  return names;
+}
+
+Json imagesOf(const Scene& scene) {
+  Json images = Json::array();
+  for (const TextureImage& image : scene.images)
+    images.push_back({{"name", image.name}, {"width", image.width}, {"height", image.height}});
+  return images;
+}
+
 Json effectsOnAndOff(const Scene& scene) {
   Json effects = Json::array();
   for (const EffectReport& effect : reportEffects(scene)) {
@@ -96,7 +109,13 @@ Json reportOf(const InfoOptions& options, const Scene& scene) {
       {"environment",
        {{"color", jsonOf(scene.environment.color)},
         {"strength", jsonOf(scene.environment.strength)}}},
-      {"lights", {{"triangles", lights.triangles}, {"area", lights.area}}},
+      {"lights",
+       {{"triangles", lights.triangles},
+        {"area", lights.area},
+        {"without_triangles", scene.lights.size()}}},
+      {"cameras", cameraNames(scene)},
+      {"variants", scene.variants},
+      {"images", imagesOf(scene)},
       {"effects", effectsOnAndOff(scene)},
       {"warnings", scene.warnings}};
 }
@@ -173,6 +192,11 @@ std::string textOf(const Scene& scene) {
                         textOf(camera.up), camera.vertical_fov));
   table.row("environment", "radiance " + textOf(scene.environment.radiance()));
   table.row("lights", fmt::format("{} triangles, {:.5g} m^2", lights.triangles, lights.area));
+  if (!scene.lights.empty())
+    table.row("", counted(scene.lights.size(), "light") + " without triangles");
+  if (!scene.cameras.empty()) table.row("cameras", listed(cameraNames(scene)));
+  if (!scene.variants.empty()) table.row("variants", listed(scene.variants));
+  if (!scene.images.empty()) table.row("textures", counted(scene.images.size(), "picture"));
   addMaterials(table, scene);
   addEffects(table, scene);
   for (const std::string& warning : scene.warnings) table.row("warning", warning);
@@ -183,7 +207,7 @@ std::string textOf(const Scene& scene) {
 
 int runInfo(const InfoOptions& options) {
   checkJsonFile(options.json);
-  const Scene scene = loadScene(options.scene);
+  const Scene scene = loadScene(options.scene, options.load);
   if (options.json.empty()) {
     writeOut(textOf(scene));
   } else {

@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/parse.h"
 #include "renderer/core/error.h"
+#include "renderer/core/wording.h"
 #include "renderer/scene/framing.h"
 
 namespace glimt {
@@ -32,7 +33,14 @@ CLI::Option* add(CLI::App& command, const std::string& name, const std::string& 
 }
 
 void addScene(CLI::App& command, std::filesystem::path& scene) {
-  command.add_option("SCENE", scene, "A .scene.json or .obj")->type_name("")->required();
+  command.add_option("SCENE", scene, "A .scene.json, .obj, .gltf or .glb")
+      ->type_name("")
+      ->required();
+}
+
+void addVariant(CLI::App& command, LoadSettings& load) {
+  command.add_option("--variant", load.variant, "One of the scene's variants of materials")
+      ->type_name("NAME");
 }
 
 void addJson(CLI::App& command, std::string& json) {
@@ -135,10 +143,23 @@ std::vector<Number> parseList(const std::string& option, const std::string& text
   return numbers;
 }
 
+Camera cameraNamed(const std::string& name, const Scene& scene) {
+  std::vector<std::string> names;
+  for (const NamedCamera& camera : scene.cameras) {
+    if (camera.name == name) return camera.camera;
+    names.push_back(camera.name);
+  }
+  const std::string there =
+      names.empty() ? "use --eye, --target, --up and --fov" : "there are " + listed(names);
+  throw Error(ErrorKind::usage,
+              fmt::format("the scene has no camera named '{}'; {}", printable(name), there));
+}
+
 }  // namespace
 
 void addRenderOptions(CLI::App& command, RenderOptions& options) {
   addScene(command, options.scene);
+  addVariant(command, options.load);
   command
       .add_option("-o,--output", options.outputs,
                   "Picture to write, .png .exr .pfm or .hdr; may be given several times")
@@ -157,13 +178,14 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
 }
 
 void addViewOptions(CLI::App& command, ViewOptions& options) {
-  add(command, "SCENE", "", "A .scene.json or .obj (the one that comes with glimt)",
+  add(command, "SCENE", "", "A .scene.json, .obj, .gltf or .glb (the one that comes with glimt)",
       [&](const std::string& text) { options.scene = text; });
   addPicture(command, options.picture);
 }
 
 void addInfoOptions(CLI::App& command, InfoOptions& options) {
   addScene(command, options.scene);
+  addVariant(command, options.load);
   addJson(command, options.json);
 }
 
@@ -206,11 +228,7 @@ void addDoctorOptions(CLI::App& command, DoctorOptions& options) {
 }
 
 Camera cameraOf(const CameraOptions& options, const Scene& scene) {
-  if (!options.name.empty()) {
-    throw Error(ErrorKind::usage, fmt::format("the scene has no camera named '{}'; use --eye, "
-                                              "--target, --up and --fov",
-                                              options.name));
-  }
+  if (!options.name.empty()) return cameraNamed(options.name, scene);
   Camera camera = scene.camera;
   if (options.eye) camera.position = Vec3(*options.eye - scene.origin);
   if (options.target) camera.target = Vec3(*options.target - scene.origin);

@@ -90,7 +90,7 @@ void RenderCommand::checkOutputs() const {
 
 Scene RenderCommand::load() {
   progress_.show(fmt::format("loading {}", options_.scene.string()));
-  Scene scene = loadScene(options_.scene);
+  Scene scene = loadScene(options_.scene, options_.load);
   scene.camera = cameraOf(options_.picture.camera, scene);
   report_.scene = options_.scene;
   report_.outputs = options_.outputs;

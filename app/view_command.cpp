@@ -14,7 +14,7 @@ namespace glimt {
 namespace {
 
 Scene load(const ViewOptions& options) {
-  Scene scene = loadScene(options.scene ? *options.scene : defaultScene());
+  Scene scene = loadScene(options.scene ? *options.scene : defaultScene(), options.load);
   scene.camera = withTargetAtModel(cameraOf(options.picture.camera, scene), boundsOf(scene));
   if (scene.name.empty()) scene.name = "scene";
   return scene;

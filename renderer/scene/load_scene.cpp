@@ -9,6 +9,7 @@
 #include "renderer/core/wording.h"
 #include "renderer/scene/effects_of.h"
 #include "renderer/scene/framing.h"
+#include "renderer/scene/gltf_file.h"
 #include "renderer/scene/obj_file.h"
 #include "renderer/scene/scene_check.h"
 #include "renderer/scene/scene_file.h"
@@ -33,11 +34,28 @@ bool isSceneFile(const fs::path& path) {
   return lowerExtension(path) == ".json";
 }
 
-Scene readModel(const fs::path& path) {
+// OBJ and MTL know no variants.
+Scene readObjModel(const fs::path& path, const LoadSettings& settings) {
+  if (!settings.variant.empty())
+    throw Error(ErrorKind::usage, fmt::format("{}: an OBJ has no variants; leave out --variant",
+                                              printable(path.string())));
+  return readObjFile(path);
+}
+
+Scene readModel(const fs::path& path, const LoadSettings& settings) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) fail(path, "no such file; check the path");
-  if (lowerExtension(path) == ".obj") return readObjFile(path);
-  fail(path, "unknown kind of model; glimt reads .obj, and .scene.json that names one");
+  const std::string extension = lowerExtension(path);
+  if (extension == ".obj") return readObjModel(path, settings);
+  if (extension == ".gltf" || extension == ".glb") return readGltfFile(path, settings.variant);
+  fail(path,
+       "unknown kind of model; glimt reads .obj, .gltf and .glb, and .scene.json that names one");
+}
+
+// Whether a scene file says where the camera is, or where it looks: then the model's own cameras
+// are not asked.
+bool placesCamera(const CameraSettings& settings) {
+  return settings.position || settings.target || settings.up || settings.vertical_fov;
 }
 
 // From the file's coordinates to the scene's.
@@ -51,6 +69,10 @@ void movePlace(std::optional<glm::dvec3>& place, const char* key, const Scene& s
 }
 
 void placeCamera(const SceneFile& file, const fs::path& path, Scene& scene) {
+  if (!scene.cameras.empty() && !placesCamera(file.camera)) {
+    scene.camera = scene.cameras.front().camera;
+    return;
+  }
   float aspect = 1;
   if (const auto& size = scene.render.size) {
     aspect = static_cast<float>((*size)[0]) / static_cast<float>((*size)[1]);
@@ -80,14 +102,14 @@ void placeLight(const SceneFile& file, Scene& scene) {
       "another");
 }
 
-Scene loadWithin(const fs::path& path) {
+Scene loadWithin(const fs::path& path, const LoadSettings& settings) {
   SceneFile file;
   if (isSceneFile(path)) {
     file = readSceneFile(path);
   } else {
     file.model = path;
   }
-  Scene scene = readModel(file.model);
+  Scene scene = readModel(file.model, settings);
   if (isSceneFile(path)) scene.name = path.stem().stem().string();
   scene.render = file.render;
   scene.warnings.insert(scene.warnings.end(), file.warnings.begin(), file.warnings.end());
@@ -100,9 +122,9 @@ Scene loadWithin(const fs::path& path) {
 
 }  // namespace
 
-Scene loadScene(const fs::path& path) {
+Scene loadScene(const fs::path& path, const LoadSettings& settings) {
   try {
-    return loadWithin(path);
+    return loadWithin(path, settings);
   } catch (const std::bad_alloc&) {
     fail(path, "the scene needs more memory than there is; make it smaller");
   }
