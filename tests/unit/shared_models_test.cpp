@@ -65,7 +65,8 @@ std::size_t checkAllIn(const fs::path& folder) {
   std::size_t count = 0;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     const std::string extension = entry.path().extension().string();
-    if (extension == ".obj" || extension == ".json") {
+    if (extension == ".obj" || extension == ".json" || extension == ".gltf" ||
+        extension == ".glb") {
       checkSceneOrError(entry.path());
     } else if (extension == ".mtl") {
       checkMtl(entry.path());
