@@ -50,29 +50,58 @@ Chunk takeChunk(std::string_view& bytes, const std::string& path) {
   return chunk;
 }
 
-// Leaves out what is not looked at, and refuses what would take too much memory while it is read.
-class Limits {
+// Goes over a JSON text before it is read, and refuses what would take too much memory. (With its
+// own callback nlohmann's parser takes time with the square of an array's length.)
+class Limits : public nlohmann::json_sax<json> {
  public:
   explicit Limits(const std::string& path) : path_(path) {}
 
-  bool keeps(int depth, json::parse_event_t event, const json& value) {
-    if (depth > kDeepest)
-      fail(path_, fmt::format("nested deeper than {} levels; export the model again", kDeepest));
-    if (event == json::parse_event_t::key)
-      return value != "extras" && !(depth == 1 && value == "animations");
-    const bool begins = event == json::parse_event_t::value ||
-                        event == json::parse_event_t::object_start ||
-                        event == json::parse_event_t::array_start;
-    if (begins && ++values_ > kMostValues)
+  bool null() override { return count(); }
+  bool boolean(bool) override { return count(); }
+  bool number_integer(number_integer_t) override { return count(); }
+  bool number_unsigned(number_unsigned_t) override { return count(); }
+  bool number_float(number_float_t, const string_t&) override { return count(); }
+  bool string(string_t&) override { return count(); }
+  bool binary(binary_t&) override { return count(); }
+  bool key(string_t&) override { return true; }
+  bool start_object(std::size_t) override { return begin(); }
+  bool start_array(std::size_t) override { return begin(); }
+  bool end_object() override { return end(); }
+  bool end_array() override { return end(); }
+  bool parse_error(std::size_t position, const std::string&,
+                   const json::exception& error) override {
+    fail(path_, fmt::format("not the JSON of a glTF file, at byte {} ({}); export the model again",
+                            position, printable(error.what())));
+  }
+
+ private:
+  bool count() {
+    if (++values_ > kMostValues)
       fail(path_, fmt::format("more than {} values in the JSON; use a smaller model",
                               grouped(kMostValues)));
     return true;
   }
+  bool begin() {
+    if (++depth_ > kDeepest)
+      fail(path_, fmt::format("nested deeper than {} levels; export the model again", kDeepest));
+    return count();
+  }
+  bool end() {
+    --depth_;
+    return true;
+  }
 
- private:
   const std::string& path_;
+  int depth_ = 0;
   std::size_t values_ = 0;
 };
+
+// Takes memory in tinygltf, and nobody looks at it.
+void removeExtras(json& value) {
+  if (!value.is_structured()) return;
+  if (value.is_object()) value.erase("extras");
+  for (json& part : value) removeExtras(part);
+}
 
 }  // namespace
 
@@ -102,20 +131,12 @@ GltfChunks chunksOf(std::string_view bytes, const std::string& path) {
 
 nlohmann::json parseGltfJson(std::string_view text, const std::string& path) {
   Limits limits(path);
-  try {
-    json value = json::parse(text.begin(), text.end(),
-                             [&](int depth, json::parse_event_t event, const json& parsed) {
-                               return limits.keeps(depth, event, parsed);
-                             });
-    if (!value.is_object()) fail(path, "the JSON is not an object; export the model again");
-    return value;
-  } catch (const json::parse_error& error) {
-    fail(path, fmt::format("not the JSON of a glTF file, at byte {}; export the model again",
-                           error.byte));
-  } catch (const json::exception& error) {
-    fail(path, fmt::format("not the JSON of a glTF file ({}); export the model again",
-                           printable(error.what())));
-  }
+  json::sax_parse(text.begin(), text.end(), &limits);
+  json value = json::parse(text.begin(), text.end());
+  if (!value.is_object()) fail(path, "the JSON is not an object; export the model again");
+  value.erase("animations");
+  removeExtras(value);
+  return value;
 }
 
 }  // namespace glimt

@@ -126,7 +126,7 @@ std::vector<GltfImageSource> readImages(const json& root, const GltfDocument& do
 // tinygltf would read buffers and images without looking at where they are and how large; and it
 // wants every index in a buffer, while Draco's are packed with the vertices.
 void removeWhatIsReadHere(json& root) {
-  for (const char* key : {"buffers", "images", "animations"}) root.erase(key);
+  for (const char* key : {"buffers", "images"}) root.erase(key);
   const auto meshes = root.find("meshes");
   if (meshes == root.end()) return;
   for (json& mesh : *meshes) {
