@@ -184,8 +184,9 @@ std::string textOf(const Scene& scene) {
   table.row("name", printable(scene.name));
   table.row("triangles", fmt::format("{}", scene.triangles.size()));
   table.row("vertices", fmt::format("{}", scene.positions.size()));
-  table.row("bounds", fmt::format("{} to {}, size {} m", placeText(scene, bounds.min),
-                                  placeText(scene, bounds.max), textOf(bounds.size())));
+  if (!bounds.empty())
+    table.row("bounds", fmt::format("{} to {}, size {} m", placeText(scene, bounds.min),
+                                    placeText(scene, bounds.max), textOf(bounds.size())));
   table.row("camera",
             fmt::format("at {}, looks at {}, up {}, {:.5g} degrees high",
                         placeText(scene, camera.position), placeText(scene, camera.target),
