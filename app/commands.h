@@ -8,11 +8,13 @@
 
 #include "app/options.h"
 #include "renderer/renderer.h"
+#include "renderer/scene/load_scene.h"
 
 namespace glimt {
 
 struct RenderOptions {
   std::filesystem::path scene;
+  LoadSettings load;
   std::vector<std::filesystem::path> outputs;
   PictureOptions picture;
   std::optional<int> samples;     // --spp
@@ -25,12 +27,14 @@ struct RenderOptions {
 
 struct ViewOptions {
   std::optional<std::filesystem::path> scene;
+  LoadSettings load;
   PictureOptions picture;  // its size is the window's
 };
 
 struct InfoOptions {
   std::filesystem::path scene;
   CameraOptions camera;  // its name alone
+  LoadSettings load;
   std::string json;
 };
 

@@ -116,6 +116,8 @@ Json reportOf(const InfoOptions& options, const Scene& scene) {
         {"strength", jsonOf(scene.environment.strength)}}},
       {"lights",
        {{"triangles", lights.triangles}, {"area", lights.area}, {"others", scene.lights.size()}}},
+      {"cameras", cameraNames(scene)},
+      {"variants", scene.variants},
       {"effects", effectsOnAndOff(scene)},
       {"warnings", scene.warnings}};
 }
@@ -192,8 +194,9 @@ std::string textOf(const Scene& scene) {
   table.row("name", printable(scene.name));
   table.row("triangles", fmt::format("{}", scene.triangles.size()));
   table.row("vertices", fmt::format("{}", scene.positions.size()));
-  table.row("bounds", fmt::format("{} to {}, size {} m", placeText(scene, bounds.min),
-                                  placeText(scene, bounds.max), textOf(bounds.size())));
+  if (!bounds.empty())
+    table.row("bounds", fmt::format("{} to {}, size {} m", placeText(scene, bounds.min),
+                                    placeText(scene, bounds.max), textOf(bounds.size())));
   table.row("camera",
             fmt::format("at {}, looks at {}, up {}, {:.5g} degrees high",
                         placeText(scene, camera.position), placeText(scene, camera.target),
@@ -202,6 +205,7 @@ std::string textOf(const Scene& scene) {
   table.row("environment", "radiance " + textOf(scene.environment.radiance()));
   table.row("lights", fmt::format("{} triangles, {:.5g} m^2, {} others", lights.triangles,
                                   lights.area, scene.lights.size()));
+  if (!scene.variants.empty()) table.row("variants", listed(scene.variants));
   addMaterials(table, scene);
   addTextures(table, scene);
   addEffects(table, scene);
@@ -213,7 +217,7 @@ std::string textOf(const Scene& scene) {
 
 int runInfo(const InfoOptions& options) {
   checkJsonFile(options.json);
-  Scene scene = loadScene(options.scene);
+  Scene scene = loadScene(options.scene, options.load);
   scene.camera = cameraOf(options.camera, scene);
   if (options.json.empty()) {
     writeOut(textOf(scene));

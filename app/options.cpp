@@ -34,7 +34,14 @@ CLI::Option* add(CLI::App& command, const std::string& name, const std::string& 
 }
 
 void addScene(CLI::App& command, std::filesystem::path& scene) {
-  command.add_option("SCENE", scene, "A .scene.json or .obj")->type_name("")->required();
+  command.add_option("SCENE", scene, "A .scene.json, .obj, .gltf or .glb")
+      ->type_name("")
+      ->required();
+}
+
+void addVariant(CLI::App& command, LoadSettings& load) {
+  command.add_option("--variant", load.variant, "One of the scene's variants of materials")
+      ->type_name("NAME");
 }
 
 void addJson(CLI::App& command, std::string& json) {
@@ -177,6 +184,7 @@ Camera cameraNamed(const std::string& name, const Scene& scene) {
 
 void addRenderOptions(CLI::App& command, RenderOptions& options) {
   addScene(command, options.scene);
+  addVariant(command, options.load);
   command
       .add_option("-o,--output", options.outputs,
                   "Picture to write, .png .exr .pfm or .hdr; may be given several times")
@@ -199,7 +207,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
 }
 
 void addViewOptions(CLI::App& command, ViewOptions& options) {
-  add(command, "SCENE", "", "A .scene.json or .obj (the one that comes with glimt)",
+  add(command, "SCENE", "", "A .scene.json, .obj, .gltf or .glb (the one that comes with glimt)",
       [&](const std::string& text) { options.scene = text; });
   addPicture(command, options.picture);
 }
@@ -207,6 +215,7 @@ void addViewOptions(CLI::App& command, ViewOptions& options) {
 void addInfoOptions(CLI::App& command, InfoOptions& options) {
   addScene(command, options.scene);
   addCameraName(command, options.camera.name);
+  addVariant(command, options.load);
   addJson(command, options.json);
 }
 

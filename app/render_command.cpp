@@ -117,7 +117,7 @@ void RenderCommand::checkOutputs() const {
 
 Scene RenderCommand::load() {
   progress_.show(fmt::format("loading {}", options_.scene.string()));
-  Scene scene = loadScene(options_.scene, options_.picture.environment);
+  Scene scene = loadScene(options_.scene, {options_.load.variant, options_.picture.environment});
   scene.camera = cameraOf(options_.picture.camera, scene);
   report_.scene = options_.scene;
   report_.outputs = options_.outputs;

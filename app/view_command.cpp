@@ -14,8 +14,8 @@ namespace glimt {
 namespace {
 
 Scene load(const ViewOptions& options) {
-  Scene scene =
-      loadScene(options.scene ? *options.scene : defaultScene(), options.picture.environment);
+  Scene scene = loadScene(options.scene ? *options.scene : defaultScene(),
+                          {options.load.variant, options.picture.environment});
   scene.camera = withTargetAtModel(cameraOf(options.picture.camera, scene), boundsOf(scene));
   if (scene.name.empty()) scene.name = "scene";
   return scene;

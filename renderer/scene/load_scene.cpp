@@ -10,6 +10,7 @@
 #include "renderer/scene/effects_of.h"
 #include "renderer/scene/environment_picture.h"
 #include "renderer/scene/framing.h"
+#include "renderer/scene/gltf_file.h"
 #include "renderer/scene/obj_file.h"
 #include "renderer/scene/scene_check.h"
 #include "renderer/scene/scene_file.h"
@@ -35,11 +36,28 @@ bool isSceneFile(const fs::path& path) {
   return lowerExtension(path) == ".json";
 }
 
-Scene readModel(const fs::path& path) {
+// OBJ and MTL know no variants.
+Scene readObjModel(const fs::path& path, const LoadSettings& settings) {
+  if (!settings.variant.empty())
+    throw Error(ErrorKind::usage, fmt::format("{}: an OBJ has no variants; leave out --variant",
+                                              printable(path.string())));
+  return readObjFile(path);
+}
+
+Scene readModel(const fs::path& path, const LoadSettings& settings) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) fail(path, "no such file; check the path");
-  if (lowerExtension(path) == ".obj") return readObjFile(path);
-  fail(path, "unknown kind of model; glimt reads .obj, and .scene.json that names one");
+  const std::string extension = lowerExtension(path);
+  if (extension == ".obj") return readObjModel(path, settings);
+  if (extension == ".gltf" || extension == ".glb") return readGltfFile(path, settings.variant);
+  fail(path,
+       "unknown kind of model; glimt reads .obj, .gltf and .glb, and .scene.json that names one");
+}
+
+// Whether a scene file says where the camera is, or where it looks: then the model's own cameras
+// are not asked.
+bool placesCamera(const CameraSettings& settings) {
+  return settings.position || settings.target || settings.up || settings.vertical_fov;
 }
 
 // From the file's coordinates to the scene's.
@@ -68,7 +86,9 @@ Camera placedCamera(CameraSettings settings, const std::string& name, const fs::
 }
 
 void placeCameras(const SceneFile& file, const fs::path& path, Scene& scene) {
-  scene.camera = placedCamera(file.camera, "camera", path, scene);
+  const bool placed = scene.cameras.empty() || placesCamera(file.camera);
+  scene.camera =
+      placed ? placedCamera(file.camera, "camera", path, scene) : scene.cameras.front().camera;
   for (const NamedCameraSettings& named : file.cameras)
     scene.cameras.push_back(
         {named.name, placedCamera(named.camera, "cameras." + printable(named.name), path, scene)});
@@ -108,14 +128,14 @@ void placeEnvironment(const SceneFile& file, const EnvironmentChoice& choice, Sc
         "black; the picture will be black");
 }
 
-Scene loadWithin(const fs::path& path, const EnvironmentChoice& environment) {
+Scene loadWithin(const fs::path& path, const LoadSettings& settings) {
   SceneFile file;
   if (isSceneFile(path)) {
     file = readSceneFile(path);
   } else {
     file.model = path;
   }
-  Scene scene = readModel(file.model);
+  Scene scene = readModel(file.model, settings);
   if (isSceneFile(path)) scene.name = path.stem().stem().string();
   scene.render = file.render;
   scene.warnings.insert(scene.warnings.end(), file.warnings.begin(), file.warnings.end());
@@ -123,15 +143,15 @@ Scene loadWithin(const fs::path& path, const EnvironmentChoice& environment) {
   addLights(file, path, scene);
   checkScene(scene);
   placeCameras(file, path, scene);
-  placeEnvironment(file, environment, scene);
+  placeEnvironment(file, settings.environment, scene);
   return scene;
 }
 
 }  // namespace
 
-Scene loadScene(const fs::path& path, const EnvironmentChoice& environment) {
+Scene loadScene(const fs::path& path, const LoadSettings& settings) {
   try {
-    return loadWithin(path, environment);
+    return loadWithin(path, settings);
   } catch (const std::bad_alloc&) {
     fail(path, "the scene needs more memory than there is; make it smaller");
   }

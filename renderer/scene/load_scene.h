@@ -16,10 +16,16 @@ struct EnvironmentChoice {
   std::optional<float> strength;
 };
 
-// Reads `*.scene.json` or `*.obj`. The scene that comes back is checked: indices are in range,
-// vertices finite, triangles have an area, normals unit length, a camera is set, and there is
-// light. What was dropped or assumed is told in Scene::warnings.
-// Errors: input, "FILE:LINE: what is wrong; what to do".
-Scene loadScene(const std::filesystem::path& path, const EnvironmentChoice& environment = {});
+// What is chosen of a file that holds more than one scene, or instead of what it holds.
+struct LoadSettings {
+  std::string variant;  // of the materials, one of Scene::variants; empty: as they are without
+  EnvironmentChoice environment;
+};
+
+// Reads `*.scene.json`, `*.obj`, `*.gltf` or `*.glb`. The scene that comes back is checked: indices
+// are in range, vertices finite, triangles have an area, normals unit length, a camera is set, and
+// there is light. What was dropped or assumed is told in Scene::warnings. Errors: input,
+// "FILE:LINE: what is wrong; what to do"; usage, for a variant that is not there.
+Scene loadScene(const std::filesystem::path& path, const LoadSettings& settings = {});
 
 }  // namespace glimt

@@ -15,6 +15,7 @@
 #include "renderer/scene/obj_mesh.h"
 #include "renderer/scene/path_beside.h"
 #include "renderer/scene/polygon.h"
+#include "renderer/scene/scene_origin.h"
 
 namespace glimt {
 namespace {
@@ -145,10 +146,7 @@ std::vector<std::uint32_t> resolveMaterials(const ObjMesh& mesh, const fs::path&
   return resolved;
 }
 
-// The centre of the model's box, where the box is so far from the file's origin that floats would
-// lose four bits or more of its details; else that origin.
 glm::dvec3 originOf(const ObjMesh& mesh) {
-  constexpr double kFar = 16;  // of the model's size
   glm::dvec3 low(HUGE_VAL);
   glm::dvec3 high(-HUGE_VAL);
   for (const ObjMesh::Corner& corner : mesh.corners) {
@@ -157,8 +155,7 @@ glm::dvec3 originOf(const ObjMesh& mesh) {
     low = glm::min(low, position);
     high = glm::max(high, position);
   }
-  const glm::dvec3 center = 0.5 * low + 0.5 * high;
-  return glm::length(center) > kFar * glm::distance(low, high) ? center : glm::dvec3(0);
+  return sceneOriginOf(low, high);
 }
 
 void placeVertices(const ObjMesh& mesh, Scene& scene) {

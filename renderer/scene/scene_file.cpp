@@ -145,7 +145,7 @@ SceneFile readSceneFile(const fs::path& path) {
   const std::optional<std::string> model = fields.text("model");
   if (!model) {
     throw Error(ErrorKind::input,
-                fmt::format("{}: the key \"model\" is missing; name the .obj to render",
+                fmt::format("{}: the key \"model\" is missing; name the .obj, .gltf or .glb to render",
                             printable(path.string())));
   }
   file.model = path.parent_path() / fs::path(*model);

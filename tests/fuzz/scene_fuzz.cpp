@@ -1,4 +1,5 @@
-// Any bytes as one of the three files of a scene, beside two good ones. GLIMT_FUZZ_FILE names it.
+// Any bytes as one of the three files of a scene, beside two good ones, or as a glTF file.
+// GLIMT_FUZZ_FILE names it.
 #include <unistd.h>
 
 #include <cstddef>
@@ -37,7 +38,11 @@ class SceneFolder {
   void write(const char* name, std::string_view bytes) const {
     std::ofstream(path_ / name, std::ios::binary) << bytes;
   }
-  fs::path scene() const { return path_ / "scene.scene.json"; }
+  // What leads to that file.
+  fs::path sceneWith(std::string_view name) const {
+    const bool is_gltf = name.ends_with(".gltf") || name.ends_with(".glb");
+    return path_ / (is_gltf ? name : "scene.scene.json");
+  }
 
  private:
   fs::path path_;
@@ -50,7 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const SceneFolder folder;
   folder.write(GLIMT_FUZZ_FILE, std::string_view(reinterpret_cast<const char*>(data), size));
   demandLoadedOrRefused([&] {
-    const std::string flaw = flawOf(loadScene(folder.scene()));
+    const std::string flaw = flawOf(loadScene(folder.sceneWith(GLIMT_FUZZ_FILE)));
     if (flaw.empty()) return;
     std::fprintf(stderr, "unsafe scene: %s\n", flaw.c_str());
     std::abort();

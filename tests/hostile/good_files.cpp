@@ -92,9 +92,9 @@ std::vector<GoodFile> goodFiles() {
       {"json", "whole.scene.json", kWholeScene},
       {"json", "least.scene.json", R"({"model":"scene.obj","environment":{}})"},
   };
-  std::vector<GoodFile> pictures = goodPictures();
-  files.insert(files.end(), std::make_move_iterator(pictures.begin()),
-               std::make_move_iterator(pictures.end()));
+  for (std::vector<GoodFile> more : {goodGltfs(), goodPictures()})
+    files.insert(files.end(), std::make_move_iterator(more.begin()),
+                 std::make_move_iterator(more.end()));
   return files;
 }
 

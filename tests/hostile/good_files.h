@@ -8,7 +8,7 @@
 namespace glimt {
 
 struct GoodFile {
-  std::string kind;  // as the extension: exr hdr json mtl obj pfm png
+  std::string kind;  // as the extension: exr glb gltf hdr json mtl obj pfm png
   std::string name;
   std::string bytes;
 };
@@ -17,5 +17,8 @@ std::vector<GoodFile> goodFiles();
 
 // The small pictures among them, made with the libraries' own writers and with good_png.cpp.
 std::vector<GoodFile> goodPictures();
+
+// The glTF files among them.
+std::vector<GoodFile> goodGltfs();
 
 }  // namespace glimt

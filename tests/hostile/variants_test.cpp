@@ -42,7 +42,7 @@ void judgeVariants(const std::string& kind, int count) {
 }
 
 void judgeAllKinds(int count) {
-  for (const char* kind : {"exr", "hdr", "json", "mtl", "obj", "pfm", "png"}) {
+  for (const char* kind : {"exr", "glb", "gltf", "hdr", "json", "mtl", "obj", "pfm", "png"}) {
     judgeVariants(kind, count);
   }
 }

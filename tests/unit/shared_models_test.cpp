@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/core/image_file.h"
+#include "renderer/core/image_rgba.h"
 #include "renderer/scene/effects_of.h"
 #include "renderer/scene/framing.h"
 #include "renderer/scene/load_scene.h"
@@ -53,6 +54,17 @@ void checkImageOrError(const fs::path& path) {
   }
 }
 
+void checkTextureOrError(const fs::path& path) {
+  CAPTURE(path);
+  try {
+    const RgbaImage image = decodeRgba(contentOf(path));
+    CHECK(image.bytes.size() ==
+          4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  } catch (const Error& error) {
+    CHECK(error.kind() == ErrorKind::input);
+  }
+}
+
 // By a model that has it as its only material file.
 void checkMtl(const fs::path& path) {
   const TemporaryFolder folder;
@@ -65,10 +77,14 @@ std::size_t checkAllIn(const fs::path& folder) {
   std::size_t count = 0;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     const std::string extension = entry.path().extension().string();
-    if (extension == ".obj" || extension == ".json") {
+    if (extension == ".obj" || extension == ".json" || extension == ".gltf" ||
+        extension == ".glb") {
       checkSceneOrError(entry.path());
     } else if (extension == ".mtl") {
       checkMtl(entry.path());
+    } else if (extension == ".jpg" || extension == ".jpeg" || extension == ".bmp" ||
+               extension == ".tga") {
+      checkTextureOrError(entry.path());
     } else if (extension == ".hdr" || extension == ".exr" || extension == ".pfm" ||
                extension == ".png") {
       checkImageOrError(entry.path());
