@@ -12,7 +12,7 @@ double powerOfTriangles(const Scene& scene, const LightTable& lights) {
   double power = 0;
   for (const Triangle& triangle : scene.triangles)
     if (lights.densities[triangle.material] > 0)
-      power += areaOf(scene, triangle) * emissionWeight(scene.materials[triangle.material]);
+      power += areaOf(scene, triangle) * emissionWeight(scene, scene.materials[triangle.material]);
   return std::numbers::pi * power;
 }
 
