@@ -13,6 +13,12 @@ float normalReflectance(float ior) {
   return ratio * ratio;
 }
 
+// And, for Schlick's formula, at the horizon: 1, but for boundaries that bend next to nothing and so
+// are next to invisible. Reached at an index of refraction of 1.33, that of water.
+float grazingReflectance(float ior) {
+  return min(50.0 * normalReflectance(ior), 1.0);
+}
+
 // The cosine, below the boundary, of a ray that meets it with `cosine`, or 0 where all is
 // reflected. `ior`: that of the far side against the near one.
 float refractedCosine(float cosine, float ior) {

@@ -48,7 +48,10 @@
 //   1: emission r, g, b; density of light samples on the surface, per square metre, negative where
 //   both sides emit
 //   2: roughness, specular, ior, transmission
-#define MATERIAL_TEXELS 3.0
+//   3: what absorbs inside, r, g, b, per metre, 0 where light does not get in; 1 if thin-walled, else 0
+//   4: clear coat, its roughness, roughness of the sheen, free
+//   5: colour of the sheen r, g, b, free
+#define MATERIAL_TEXELS 6.0
 
 // Side of the square table of gloss_albedo.glsl.
 #define GLOSS_TABLE_SIZE 32.0

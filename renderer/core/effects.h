@@ -16,9 +16,13 @@ enum class Effect {
   mirror,           // surfaces that reflect in one direction
   glass,            // smooth boundaries that light passes
   rough_glass,      // rough ones
+  thin_walls,       // those that do not bend it
+  absorption,       // on the way through the inside of a material
+  clearcoat,        // a clear boundary over the others
+  sheen,            // fibres over the others
 };
 
-inline constexpr int kEffectCount = 8;
+inline constexpr int kEffectCount = 12;
 
 using EffectSet = std::bitset<kEffectCount>;
 
@@ -29,8 +33,8 @@ inline bool has(const EffectSet& effects, Effect effect) {
 // As the command line and, in capitals, the shaders call it.
 inline std::string nameOf(Effect effect) {
   constexpr std::array<const char*, kEffectCount> kNames{
-      "triangle_lights", "environment", "environment_map", "smooth_normals",
-      "gloss",           "mirror",      "glass",           "rough_glass"};
+      "triangle_lights", "environment", "environment_map", "smooth_normals", "gloss",     "mirror",
+      "glass",           "rough_glass", "thin_walls",      "absorption",     "clearcoat", "sheen"};
   return kNames[static_cast<std::size_t>(effect)];
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/passes/sheen_albedo.h"
 #include "shaders/layout.h"
 
 namespace glimt {
@@ -51,23 +52,27 @@ Vec2 glossAlbedoOf(double cosine, double roughness) {
   return Vec2(at_normal, at_horizon) / static_cast<float>(kSteps * kSteps);
 }
 
-std::vector<Vec4> glossTable() {
+std::vector<Vec4> glossTable(bool with_sheen) {
   const int size = static_cast<int>(GLOSS_TABLE_SIZE);
   std::vector<Vec4> texels;
   for (int row = 0; row < size; ++row)
     for (int column = 0; column < size; ++column) {
       const double x = static_cast<double>(column) / (size - 1);
       const double roughness = static_cast<double>(row) / (size - 1);
-      texels.emplace_back(glossAlbedoOf(std::max(x * x, 1e-6), roughness), 0, 0);
+      const double cosine = std::max(x * x, 1e-6);
+      const double sheen = with_sheen ? sheenAlbedoOf(cosine, roughness) : 0;
+      texels.emplace_back(glossAlbedoOf(cosine, roughness), sheen, 0);
     }
   return texels;
 }
 
 gl::Texture makeGlossTexture(const gl::Device& device, const EffectSet& effects) {
-  const bool needed = has(effects, Effect::gloss) || has(effects, Effect::mirror);
+  const bool sheen = has(effects, Effect::sheen);
+  const bool needed = sheen || has(effects, Effect::gloss) || has(effects, Effect::mirror) ||
+                      has(effects, Effect::clearcoat) || has(effects, Effect::thin_walls);
   const int size = needed ? static_cast<int>(GLOSS_TABLE_SIZE) : 1;
   return gl::Texture::floats(device.gl(), device.floatForm(), size, size,
-                             needed ? glossTable() : std::vector<Vec4>(1));
+                             needed ? glossTable(sheen) : std::vector<Vec4>(1));
 }
 
 }  // namespace glimt

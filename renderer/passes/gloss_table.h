@@ -14,8 +14,9 @@ namespace glimt {
 Vec2 glossAlbedoOf(double cosine, double roughness);
 
 // GLOSS_TABLE_SIZE squared of them, rows of the same roughness: cosines go by the square of the
-// column's number, roughness by the row's. A few milliseconds.
-std::vector<Vec4> glossTable();
+// column's number, roughness by the row's. In z, with_sheen, what sheen_albedo.h gives. Some
+// milliseconds, and some tens with sheen.
+std::vector<Vec4> glossTable(bool with_sheen);
 
 // Of one texel where the effects do not call for the table.
 gl::Texture makeGlossTexture(const gl::Device& device, const EffectSet& effects);

@@ -12,6 +12,7 @@
 #include "renderer/passes/gloss_table.h"
 #include "renderer/passes/light_table.h"
 #include "renderer/scene/effects_of.h"
+#include "renderer/scene/transmission.h"
 #include "shaders/layout.h"
 
 namespace glimt {
@@ -83,6 +84,10 @@ std::vector<Vec4> packMaterials(const Scene& scene, const LightTable& lights) {
     texels.emplace_back(material.base_color, material.metallic);
     texels.emplace_back(material.emission, material.double_sided ? -density : density);
     texels.emplace_back(material.roughness, material.specular, material.ior, material.transmission);
+    texels.emplace_back(absorptionOf(material), material.thin_walled ? 1.0f : 0.0f);
+    texels.emplace_back(material.clearcoat, material.clearcoat_roughness, material.sheen_roughness,
+                        0.0f);
+    texels.emplace_back(material.sheen_color, 0.0f);
   }
   return texels;
 }

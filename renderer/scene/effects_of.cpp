@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "renderer/core/wording.h"
+#include "renderer/scene/transmission.h"
 
 namespace glimt {
 namespace {
@@ -76,16 +77,16 @@ bool reflects(const Material& material) {
   return material.metallic > 0 || (material.specular > 0 && material.transmission < 1);
 }
 
-bool transmits(const Material& material) {
-  return material.metallic < 1 && material.transmission > 0;
-}
-
 }  // namespace
 
 std::vector<EffectReport> reportEffects(const Scene& scene) {
   const auto gloss = [](const Material& m) { return reflects(m) && m.roughness > 0; };
   const auto mirror = [](const Material& m) { return reflects(m) && m.roughness == 0; };
   const auto glass = [](const Material& m) { return transmits(m) && m.roughness == 0; };
+  const auto absorbs = [](const Material& m) { return absorptionOf(m) != Vec3(0); };
+  const auto coated = [](const Material& m) { return m.clearcoat > 0; };
+  const auto fibrous = [](const Material& m) { return anyPositive(m.sheen_color); };
+  const auto thin = [](const Material& m) { return transmits(m) && m.thin_walled; };
   const auto rough_glass = [](const Material& m) { return transmits(m) && m.roughness > 0; };
   return {reportTriangleLights(scene),
           reportEnvironment(scene),
@@ -94,7 +95,11 @@ std::vector<EffectReport> reportEffects(const Scene& scene) {
           reportMaterials(scene, Effect::gloss, gloss, "rough and reflecting"),
           reportMaterials(scene, Effect::mirror, mirror, "smooth and reflecting"),
           reportMaterials(scene, Effect::glass, glass, "smooth and transmitting"),
-          reportMaterials(scene, Effect::rough_glass, rough_glass, "rough and transmitting")};
+          reportMaterials(scene, Effect::rough_glass, rough_glass, "rough and transmitting"),
+          reportMaterials(scene, Effect::thin_walls, thin, "thin-walled and transmitting"),
+          reportMaterials(scene, Effect::absorption, absorbs, "absorbing inside"),
+          reportMaterials(scene, Effect::clearcoat, coated, "under a clear coat"),
+          reportMaterials(scene, Effect::sheen, fibrous, "covered by fibres")};
 }
 
 EffectSet effectsOf(const Scene& scene) {

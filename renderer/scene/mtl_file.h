@@ -10,9 +10,8 @@
 namespace glimt {
 
 struct MtlMaterial {
-  Material material;            // values as in the file, unchecked; Kd 0.8 where it gives none
-  bool textured = false;        // names pictures
-  bool beyond_lambert = false;  // asks for gloss, metal or glass
+  Material material;      // as docs/materials.md says, unchecked; Kd 0.8 where the file gives none
+  bool textured = false;  // names pictures
 };
 
 // Errors: input, for what cannot be read or is no text.

@@ -94,18 +94,11 @@ std::vector<MtlMaterial> readLibraries(const ObjMesh& mesh, const fs::path& fold
 
 void warnAbout(const std::vector<MtlMaterial>& used, std::vector<std::string>& warnings) {
   std::vector<std::string> textured;
-  std::vector<std::string> simplified;
   for (const MtlMaterial& m : used) {
     if (m.textured) textured.push_back(m.material.name);
-    if (m.beyond_lambert) simplified.push_back(m.material.name);
   }
   if (!textured.empty()) {
     warnings.push_back(fmt::format("textures are ignored for now, of {}", listed(textured)));
-  }
-  if (!simplified.empty()) {
-    warnings.push_back(
-        fmt::format("the MTL asks for metal, gloss or glass; for now rendered as Lambert: {}",
-                    listed(simplified)));
   }
 }
 

@@ -54,9 +54,13 @@ bool isMet(const Condition& condition, const EffectSet& effects) {
 }
 
 constexpr unsigned kReflecting = bit(Effect::gloss) | bit(Effect::mirror);
-constexpr unsigned kRough = bit(Effect::gloss) | bit(Effect::rough_glass);
 constexpr unsigned kTransmitting = bit(Effect::glass) | bit(Effect::rough_glass);
-constexpr unsigned kLayered = kReflecting | kTransmitting;  // more than Lambert surfaces
+constexpr unsigned kOver = bit(Effect::sheen) | bit(Effect::clearcoat);
+constexpr unsigned kLayered = kReflecting | kTransmitting | kOver;  // more than Lambert surfaces
+// What microfacets reflect, and of which surfaces the table is that says how much that is.
+constexpr unsigned kGlossy = kReflecting | bit(Effect::clearcoat);
+constexpr unsigned kRough = kGlossy | bit(Effect::rough_glass);
+constexpr unsigned kTabulated = kGlossy | bit(Effect::thin_walls) | bit(Effect::sheen);
 
 struct Piece {
   const char* file;
@@ -86,22 +90,27 @@ const auto kPieces = std::to_array<Piece>({
     {"lambert.glsl", kBounces | kEscape, {}},
     {"fresnel.glsl", kBounces, with(kLayered)},
     {"ggx.glsl", kBounces, with(kRough)},
-    {"gloss.glsl", kBounces, with(kReflecting)},
-    {"mirror.glsl", kBounces, with(bit(Effect::mirror) | bit(Effect::glass))},
+    {"gloss.glsl", kBounces, with(kGlossy)},
+    {"mirror.glsl", kBounces, with(kGlossy | kTransmitting)},
     {"glass.glsl", kBounces, with(Effect::glass)},
     {"rough_glass.glsl", kBounces, with(Effect::rough_glass)},
+    {"thin_wall.glsl", kBounces, with(Effect::thin_walls)},
+    {"sheen.glsl", kBounces, with(Effect::sheen)},
+    {"clearcoat.glsl", kBounces, with(Effect::clearcoat)},
     {"bsdf_sample.glsl", kBounces, {}},
     {"bsdf_lambert.glsl", kBounces, without(kLayered)},
+    {"bsdf_layers.glsl", kBounces, with(kLayered)},
     {"bsdf_layered.glsl", kBounces, with(kLayered)},
     {"ray_origin.glsl", kBounces, {}},
     {"multiple_importance.glsl", kBounces, {}},
     {"texel_address.glsl", kPaths, {}},
     {"triangle_data.glsl", kPaths, {}},
     {"material_data.glsl", kBounces, {}},
+    {"material_data.glsl", kCamera, with(Effect::absorption)},
     {"normal_data.glsl", kBounces, with(Effect::smooth_normals)},
     {"shadow_terminator.glsl", kBounces, with(Effect::smooth_normals)},
     {"surface.glsl", kBounces, {}},
-    {"gloss_albedo.glsl", kBounces, with(kReflecting)},
+    {"gloss_albedo.glsl", kBounces, with(kTabulated)},
     {"lambert_data.glsl", kBounces, without(kLayered)},
     {"layered_data.glsl", kBounces, with(kLayered)},
     {"traversal.glsl", kPaths, {}},
@@ -117,6 +126,7 @@ const auto kPieces = std::to_array<Piece>({
     {"radiance_target.glsl", kLight | kEscape, {}},
     {kRecordInput, kTrace | kEscape | kLight, {}},
     {kRecordOutput, kCamera | kTrace, {}},
+    {"absorption.glsl", kCamera | kTrace | kWholePath, with(Effect::absorption)},
     {"trace.glsl", kCamera | kTrace | kWholePath, {}},
     {"trace_pass.glsl", kCamera | kTrace, {}},
     {"escape.glsl", kEscape | kWholePath, with(Effect::environment)},

@@ -1,0 +1,89 @@
+// The table of albedos, read as the shaders read it, against a fine quadrature.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "renderer/passes/gloss_table.h"
+#include "renderer/passes/sheen_albedo.h"
+#include "shaders/layout.h"
+#include "tests/shader/bsdfs.h"
+#include "tests/shader/report.h"
+
+using namespace glimt;
+using namespace glimt::test;
+
+namespace {
+
+using vec2 = glm::dvec2;
+using vec4 = glm::dvec4;
+using glm::clamp;
+using glm::floor;
+using glm::min;
+using glm::mix;
+using glm::sqrt;
+using sampler2D = std::vector<Vec4>;
+
+vec4 texture2D(const sampler2D& table, const vec2& at) {
+  const auto size = static_cast<std::size_t>(GLOSS_TABLE_SIZE);
+  const auto column = static_cast<std::size_t>(at.x * GLOSS_TABLE_SIZE);
+  const auto row = static_cast<std::size_t>(at.y * GLOSS_TABLE_SIZE);
+  return vec4(table.at(row * size + column));
+}
+
+#define uniform
+#define float double
+#include "shaders/gloss_albedo.glsl"
+#undef float
+#undef uniform
+
+// As the table's own function, with as many steps as it takes.
+vec2 fineAlbedo(double cosine, double roughness, int steps) {
+  const double alpha = std::max(roughness * roughness, 1e-6);
+  const glm::dvec3 wo(std::sqrt(1 - cosine * cosine), 0, cosine);
+  vec2 sum(0);
+  for (int i = 0; i < steps; ++i)
+    for (int j = 0; j < steps; ++j) {
+      const vec2 at = (vec2(i, j) + 0.5) / double(steps);
+      const glm::dvec3 wi = glsl_double::sampleGloss(wo, alpha, at);
+      if (!(wi.z > 0)) continue;
+      const glm::dvec3 normal = glm::normalize(wo + wi);
+      const double weight =
+          glsl_double::ggxMaskingShadowing(wo, wi, alpha) / glsl_double::ggxMasking(wo, alpha);
+      const double horizon = std::pow(std::clamp(1 - glm::dot(wo, normal), 0.0, 1.0), 5);
+      sum += vec2(1 - horizon, horizon) * weight;
+    }
+  return sum / double(steps * steps);
+}
+
+}  // namespace
+
+TEST_CASE("the table of albedos is as good as a fine quadrature") {
+  uGlossTable = glossTable(true);
+  double quadrature = 0, gloss = 0, horizon = 0, sheen = 0;
+  std::string where, where_sheen;
+  for (int i = 0; i <= 40; ++i)
+    for (int j = 0; j <= 40; ++j) {
+      const double cosine = std::max(std::pow(i / 40.0, 2), 1e-4);
+      const double roughness = j / 40.0;
+      const vec2 exact = fineAlbedo(cosine, roughness, 96);
+      const vec2 coarse(glossAlbedoOf(cosine, roughness));
+      const vec2 read = fetchGlossAlbedo(cosine, roughness);
+      quadrature = std::max(quadrature, std::abs(coarse.x + coarse.y - exact.x - exact.y));
+      const double error = std::abs(read.x + read.y - exact.x - exact.y);
+      if (error > gloss) where = fmt::format("cosine {:.4f} roughness {:.3f}", cosine, roughness);
+      gloss = std::max(gloss, error);
+      horizon = std::max(horizon, std::abs(read.y - exact.y));
+      const double sheen_error =
+          std::abs(fetchSheenAlbedo(cosine, roughness) - sheenAlbedoOf(cosine, roughness));
+      if (sheen_error > sheen)
+        where_sheen = fmt::format("cosine {:.4f} roughness {:.3f}", cosine, roughness);
+      sheen = std::max(sheen, sheen_error);
+    }
+  report(
+      "albedo of white microfacets: quadrature off by {:.5f}, table by {:.5f} at {}; Schlick's "
+      "part by {:.5f}; sheen {:.5f} at {}",
+      quadrature, gloss, where, horizon, sheen, where_sheen);
+  CHECK(quadrature < 0.001);
+  CHECK(gloss < 0.005);
+  CHECK(horizon < 0.005);
+  CHECK(sheen < 0.005);
+}
