@@ -24,7 +24,7 @@ float evalRoughPassage(Bsdf bsdf, vec3 wo, vec3 wi) {
   if (bsdf.thin > 0.5)
     return evalThinWall(wo, wi, alphaOf(bsdf), bsdf.ior, bsdf.gloss_albedo.x + bsdf.gloss_albedo.y);
 #endif
-  return evalRoughGlass(wo, wi, alphaOf(bsdf), bsdf.ior);
+  return evalRoughGlass(wo, wi, alphaOf(bsdf), bsdf.ior, bsdf.glass_albedo);
 }
 
 float pdfRoughPassage(Bsdf bsdf, vec3 wo, vec3 wi) {
@@ -138,5 +138,5 @@ BsdfSample sampleBsdf(Bsdf bsdf, vec3 wo, vec3 random) {
 #endif
   float pdf = pdfBsdf(bsdf, wo, wi);
   if (!(pdf > 0.0)) return BsdfSample(vec3(0.0, 0.0, 1.0), vec3(0.0), 1.0, left);
-  return BsdfSample(wi, evalBsdf(bsdf, wo, wi) / pdf, pdf, left);
+  return BsdfSample(wi, evalBsdf(bsdf, wo, wi) / pdf, min(pdf, 0.1 * PDF_DELTA), left);
 }

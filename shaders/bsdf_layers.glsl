@@ -10,6 +10,9 @@ struct Bsdf {
   float ior;           // of the side behind against that in front
   float transmission;  // share of what enters that goes on through
   vec2 gloss_albedo;   // for wo; see gloss_albedo.glsl
+#if ROUGH_GLASS
+  float glass_albedo;  // for wo; see gloss_albedo.glsl
+#endif
 #if THIN_WALLS
   float thin;  // 1: light passes without being bent, else 0
 #endif
@@ -60,16 +63,18 @@ vec3 reflectedShare(Bsdf bsdf) {
 #endif
 }
 
-// What the boundary lets through to the base and back.
+// What the boundary lets through to the base and back. All of the surface but its glass has it.
 vec3 diffuseReflectance(Bsdf bsdf) {
-  float share = (1.0 - bsdf.metallic) * (1.0 - bsdf.transmission) * (1.0 - largestOf(reflectedShare(bsdf)));
-  return bsdf.base_color * max(share, 0.0);
+  float base = (1.0 - bsdf.metallic) * (1.0 - bsdf.transmission);
+  float boundary = bsdf.metallic + base;
+  float passed = 1.0 - largestOf(reflectedShare(bsdf)) / max(boundary, 1.0e-20);
+  return bsdf.base_color * (base * max(passed, 0.0));
 }
 
 #if SHEEN
 // What fibres leave to what they stand on.
 float belowSheen(Bsdf bsdf) {
-  return 1.0 - largestOf(bsdf.sheen.color) * bsdf.sheen.albedo;
+  return 1.0 - sheenAlbedo(bsdf.sheen);
 }
 #endif
 
@@ -111,7 +116,7 @@ LobeChances lobeChances(Bsdf bsdf, vec3 wo) {
   glass = glassOf(bsdf) * below;
 #endif
 #if SHEEN
-  sheen = largestOf(bsdf.sheen.color) * bsdf.sheen.albedo;
+  sheen = sheenAlbedo(bsdf.sheen);
 #endif
 #if CLEARCOAT
   clearcoat = clearcoatAlbedo(bsdf.coat, wo);

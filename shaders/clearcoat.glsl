@@ -35,7 +35,7 @@ float pdfClearcoat(Clearcoat coat, vec3 wo, vec3 wi) {
   return isSmooth(coat) ? 0.0 : pdfGloss(wo, wi, alphaOf(coat));
 }
 
-// Of a rough coat, may be below the horizon, where it stands for nothing.
+// Of a rough coat, may be the zero vector, as sampleGloss says.
 vec3 sampleClearcoat(Clearcoat coat, vec3 wo, vec2 random) {
   return isSmooth(coat) ? mirrorDirection(wo) : sampleGloss(wo, alphaOf(coat), random);
 }

@@ -22,8 +22,8 @@ float grazingReflectance(float ior) {
 // The cosine, below the boundary, of a ray that meets it with `cosine`, or 0 where all is
 // reflected. `ior`: that of the far side against the near one.
 float refractedCosine(float cosine, float ior) {
-  float sine2 = (1.0 - cosine * cosine) / (ior * ior);
-  return sqrt(max(1.0 - sine2, 0.0));
+  // The square in this form keeps its digits where the boundary hardly bends.
+  return sqrt(max((ior - 1.0) * (ior + 1.0) + cosine * cosine, 0.0)) / ior;
 }
 
 // Of a dielectric, the mean of both polarisations: 1 where all is reflected.

@@ -31,6 +31,10 @@ Bsdf fetchBsdf(Surface surface, vec3 wo) {
 #if GLOSS || MIRROR || THIN_WALLS
   bsdf.gloss_albedo = fetchGlossAlbedo(wo.z, layer.x);
 #endif
+#if ROUGH_GLASS
+  float square = fetchMaterial(surface.material, 4.0).a;
+  bsdf.glass_albedo = fetchGlassAlbedo(square, wo.z, bsdf.roughness, surface.back > 0.5);
+#endif
 #if THIN_WALLS
   bsdf.thin = fetchMaterial(surface.material, 3.0).a;
   if (bsdf.thin > 0.5) bsdf.ior = layer.z;

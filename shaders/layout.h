@@ -49,12 +49,12 @@
 //   both sides emit
 //   2: roughness, specular, ior, transmission
 //   3: what absorbs inside, r, g, b, per metre, 0 where light does not get in; 1 if thin-walled, else 0
-//   4: clear coat, its roughness, roughness of the sheen, free
+//   4: clear coat, its roughness, roughness of the sheen, square of gloss_albedo.glsl for rough glass
 //   5: colour of the sheen r, g, b, free
 #define MATERIAL_TEXELS 6.0
 
-// Side of the square table of gloss_albedo.glsl.
-#define GLOSS_TABLE_SIZE 32.0
+// Side of the squares in the table of gloss_albedo.glsl.
+#define GLOSS_TABLE_SIZE 64.0
 
 // Lights, an alias table; see light_table.glsl. One texel each:
 //   share of the entry that goes to its own triangle, index of that, index of the other one, free

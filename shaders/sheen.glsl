@@ -9,9 +9,9 @@ struct Sheen {
   float albedo;  // of white fibres for wo; see gloss_albedo.glsl
 };
 
-// Narrower distributions than that of roughness 0.1 are only seen along the surface.
+// Narrower distributions than that of roughness 0.2 are only seen along the surface.
 float alphaOf(Sheen sheen) {
-  return max(sheen.roughness * sheen.roughness, 0.01);
+  return max(sheen.roughness * sheen.roughness, 0.04);
 }
 
 float sheenDistribution(float normal_z, float alpha) {
@@ -44,8 +44,15 @@ float evalWhiteSheen(vec3 wo, vec3 wi, float alpha) {
   return sheenDistribution(normal.z, alpha) * masking / (4.0 * max(wo.z, 1.0e-7));
 }
 
+// The fit of the masking lets narrow distributions reflect more than all near the horizon: there they
+// are scaled down.
 vec3 evalSheen(Sheen sheen, vec3 wo, vec3 wi) {
-  return sheen.color * evalWhiteSheen(wo, wi, alphaOf(sheen));
+  return sheen.color * (evalWhiteSheen(wo, wi, alphaOf(sheen)) / max(sheen.albedo, 1.0));
+}
+
+// What its strongest colour reflects into all directions.
+float sheenAlbedo(Sheen sheen) {
+  return max(sheen.color.x, max(sheen.color.y, sheen.color.z)) * min(sheen.albedo, 1.0);
 }
 
 // Even over the hemisphere: fibres reflect towards the horizon, where a cosine samples little.

@@ -16,6 +16,7 @@ vec3 onSideOfWo(vec3 wi) {
 
 // Times the cosine of wi. What goes through is tinted by the caller.
 float evalThinWall(vec3 wo, vec3 wi, float alpha, float ior, float albedo) {
+  if (wi.z == 0.0) return 0.0;
   vec3 reflected = onSideOfWo(wi);
   vec3 normal = normalize(wo + reflected);
   return thinWallShare(wo, wi, normal, ior) * ggxDistribution(normal, alpha) *
@@ -23,6 +24,7 @@ float evalThinWall(vec3 wo, vec3 wi, float alpha, float ior, float albedo) {
 }
 
 float pdfThinWall(vec3 wo, vec3 wi, float alpha, float ior) {
+  if (wi.z == 0.0) return 0.0;
   vec3 normal = normalize(wo + onSideOfWo(wi));
   return thinWallShare(wo, wi, normal, ior) * pdfGgxNormal(wo, normal, alpha) /
          (4.0 * max(dot(wo, normal), 1.0e-7));

@@ -11,7 +11,6 @@
 #include "renderer/passes/data_texture.h"
 #include "renderer/passes/gloss_table.h"
 #include "renderer/passes/light_table.h"
-#include "renderer/scene/effects_of.h"
 #include "renderer/scene/transmission.h"
 #include "shaders/layout.h"
 
@@ -77,6 +76,7 @@ std::vector<Vec4> packNormals(const Scene& scene, const Bvh& bvh) {
 }
 
 std::vector<Vec4> packMaterials(const Scene& scene, const LightTable& lights) {
+  const std::vector<float> iors = tabulatedIors(scene);
   std::vector<Vec4> texels;
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const Material& material = scene.materials[i];
@@ -86,7 +86,7 @@ std::vector<Vec4> packMaterials(const Scene& scene, const LightTable& lights) {
     texels.emplace_back(material.roughness, material.specular, material.ior, material.transmission);
     texels.emplace_back(absorptionOf(material), material.thin_walled ? 1.0f : 0.0f);
     texels.emplace_back(material.clearcoat, material.clearcoat_roughness, material.sheen_roughness,
-                        0.0f);
+                        static_cast<float>(squareOfIor(iors, material.ior)));
     texels.emplace_back(material.sheen_color, 0.0f);
   }
   return texels;
@@ -157,7 +157,7 @@ SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene, const
   grid_origin_ = nodes.grid_origin;
   grid_cell_ = nodes.grid_cell;
   light_count_ = lights.entries.size();
-  gloss_table_ = makeGlossTexture(device, effectsOf(scene));
+  gloss_table_ = makeGlossTexture(device, scene);
   environment_share_ = environmentShare(scene, lights);
   environment_radiance_ = scene.environment.radiance();
   environment_map_ = EnvironmentMap(device, scene.environment);
@@ -170,6 +170,8 @@ void SceneTextures::bind(gl::Program& program) const {
   bindData(program, "uNormals", normals_);
   bindData(program, "uLights", lights_);
   program.set("uGlossTable", gloss_table_);
+  program.set("uGlossTableSquares",
+              static_cast<float>(gloss_table_.height()) / static_cast<float>(gloss_table_.width()));
   program.set("uNodesPerCopy", static_cast<float>(nodes_per_copy_));
   program.set("uTriangleCount", static_cast<float>(triangle_count_));
   program.set("uGridOrigin", grid_origin_);

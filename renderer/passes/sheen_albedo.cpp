@@ -37,7 +37,7 @@ double distribution(double normal_z, double alpha) {
 
 // Heights go by a square: much is reflected near the horizon.
 double sheenAlbedoOf(double cosine, double roughness) {
-  const double alpha = std::max(roughness * roughness, 0.01);
+  const double alpha = std::max(roughness * roughness, 0.04);
   const double sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));
   const double lambda_o = lambda(cosine, alpha);
   double sum = 0;

@@ -60,7 +60,7 @@ constexpr unsigned kLayered = kReflecting | kTransmitting | kOver;  // more than
 // What microfacets reflect, and of which surfaces the table is that says how much that is.
 constexpr unsigned kGlossy = kReflecting | bit(Effect::clearcoat);
 constexpr unsigned kRough = kGlossy | bit(Effect::rough_glass);
-constexpr unsigned kTabulated = kGlossy | bit(Effect::thin_walls) | bit(Effect::sheen);
+constexpr unsigned kTabulated = kRough | bit(Effect::thin_walls) | bit(Effect::sheen);
 
 struct Piece {
   const char* file;

@@ -54,16 +54,15 @@ double integral(const glsl_double::Bsdf& bsdf, const glm::dvec3& wo, int row, in
   for (int i = 0; i < steps; ++i)
     for (int j = 0; j < steps; ++j) {
       const double z = -1 + 2 * (row + (i + 0.5) / steps) / kHeights;
-      const double turn =
-          2 * std::numbers::pi * ((column + (j + 0.5) / steps) / kTurns - 0.5);
+      const double turn = 2 * std::numbers::pi * ((column + (j + 0.5) / steps) / kTurns - 0.5);
       const double radius = std::sqrt(1 - z * z);
       sum += pdfBsdf(bsdf, wo, {radius * std::cos(turn), radius * std::sin(turn), z});
     }
   return sum * 4 * std::numbers::pi / (kHeights * kTurns) / (steps * steps);
 }
 
-// Pearson's, of the cells with at least five samples expected, the others taken together, as standard
-// deviations from its mean (Wilson and Hilferty's normal approximation).
+// Pearson's, of the cells with at least five samples expected, the others taken together, as
+// standard deviations from its mean (Wilson and Hilferty's normal approximation).
 double chiSquareDeviations(const glsl_double::Bsdf& bsdf, const glm::dvec3& wo) {
   double singles = 0;
   const Cells cells = sampled(bsdf, wo, singles);
@@ -116,7 +115,8 @@ TEST_CASE("directions of every lobe and mixture are as dense as the pdf says") {
       INFO(s.name << ", roughness " << s.roughness << ", cosine " << cosine);
       // One test in half a million would fail by chance.
       CHECK(deviations < 5);
-      if (deviations > worst) where = fmt::format("{}, roughness {}, cosine {}", s.name, s.roughness, cosine);
+      if (deviations > worst)
+        where = fmt::format("{}, roughness {}, cosine {}", s.name, s.roughness, cosine);
       worst = std::max(worst, deviations);
     }
   report("chi-square of {} samples in {} cells: at most {:.2f} standard deviations, {}", kSamples,

@@ -46,6 +46,8 @@ B bsdfOf(const Surface& s, double cosine) {
   bsdf.ior = number(s.inside && !s.thin ? 1 / s.ior : s.ior);
   bsdf.transmission = number(s.transmission);
   bsdf.gloss_albedo = decltype(bsdf.gloss_albedo)(glossAlbedoOf(cosine, s.roughness));
+  if (s.transmission > 0 && s.roughness > 0)
+    bsdf.glass_albedo = number(glassAlbedoOf(cosine, s.roughness, s.inside ? 1 / s.ior : s.ior));
   bsdf.thin = number(s.thin ? 1 : 0);
   bsdf.sheen.color = Vector(number(s.sheen));
   bsdf.sheen.roughness = number(s.sheen_roughness);
@@ -68,7 +70,7 @@ inline glm::dvec3 stratified(int x, int y, int z, int count, Random& random) {
 }
 
 // What share of the light from wo comes out again, as sampleBsdf tells: the mean of its weights.
-inline double albedoOf(const Surface& s, double cosine, int count = 24) {
+inline double albedoOf(const Surface& s, double cosine, int count = 20) {
   const auto bsdf = bsdfOf<glsl_double::Bsdf>(s, cosine);
   const glm::dvec3 wo = directionOf(cosine);
   Random random(7);
