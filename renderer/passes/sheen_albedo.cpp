@@ -8,7 +8,7 @@ namespace glimt {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kHeights = 32;  // of the quadrature
+constexpr int kHeights = 48;  // of the quadrature
 constexpr int kTurns = 24;
 
 // As in shaders/sheen.glsl.

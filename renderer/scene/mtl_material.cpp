@@ -55,7 +55,7 @@ void applyHighlight(Material& material, const tinyobj::material_t& m) {
     material.specular = strength / kDielectricKs;
     return;
   }
-  mixWithMetal(material, material.base_color, specular);
+  mixWithMetal(material, vectorOf(m.diffuse), specular);
 }
 
 // Light is tinted where it enters and where it leaves. Only the hue of Tf counts: of its strength

@@ -21,21 +21,17 @@ constexpr int kSamples = 200000;
 
 struct Cells {
   std::array<double, static_cast<std::size_t>(kHeights* kTurns)> counts{};
-  double none = 0;  // samples that stand for nothing
+  double none = 0;  // samples that stand for nothing, or for a single direction: of no density
 };
 
-// Directions that a single one has a share of are not of the density.
-Cells sampled(const glsl_double::Bsdf& bsdf, const glm::dvec3& wo, double& singles) {
+Cells sampled(const glsl_double::Bsdf& bsdf, const glm::dvec3& wo) {
   Cells cells;
   Random random(11);
   for (int i = 0; i < kSamples; ++i) {
     const auto sample =
         sampleBsdf(bsdf, wo, {random.uniform(), random.uniform(), random.uniform()});
-    if (sample.pdf >= glsl_double::PDF_DELTA) {
-      ++singles;
-      continue;
-    }
-    if (sample.weight == glm::dvec3(0) && sample.wi == glm::dvec3(0, 0, 1)) {
+    const bool nothing = sample.weight == glm::dvec3(0) && sample.wi == glm::dvec3(0, 0, 1);
+    if (nothing || sample.pdf >= glsl_double::PDF_DELTA) {
       ++cells.none;
       continue;
     }
@@ -64,8 +60,7 @@ double integral(const glsl_double::Bsdf& bsdf, const glm::dvec3& wo, int row, in
 // Pearson's, of the cells with at least five samples expected, the others taken together, as
 // standard deviations from its mean (Wilson and Hilferty's normal approximation).
 double chiSquareDeviations(const glsl_double::Bsdf& bsdf, const glm::dvec3& wo) {
-  double singles = 0;
-  const Cells cells = sampled(bsdf, wo, singles);
+  const Cells cells = sampled(bsdf, wo);
   double chi2 = 0, freedom = -1, few_expected = 0, few_found = 0, all_expected = 0;
   const auto compare = [&](double expected, double found) {
     chi2 += (found - expected) * (found - expected) / expected;
@@ -85,7 +80,7 @@ double chiSquareDeviations(const glsl_double::Bsdf& bsdf, const glm::dvec3& wo) 
       }
     }
   if (few_expected >= 5) compare(few_expected, few_found);
-  const double none_expected = kSamples - singles - all_expected;
+  const double none_expected = kSamples - all_expected;
   if (none_expected >= 5) compare(none_expected, cells.none);
   if (freedom < 1) return 0;
   const double k = 2 / (9 * freedom);
