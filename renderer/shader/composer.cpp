@@ -59,8 +59,8 @@ constexpr unsigned kOver = bit(Effect::sheen) | bit(Effect::clearcoat);
 constexpr unsigned kLayered = kReflecting | kTransmitting | kOver;  // more than Lambert surfaces
 // What microfacets reflect, and of which surfaces the table is that says how much that is.
 constexpr unsigned kGlossy = kReflecting | bit(Effect::clearcoat);
-constexpr unsigned kRough = kGlossy | bit(Effect::rough_glass);
-constexpr unsigned kTabulated = kRough | bit(Effect::thin_walls) | bit(Effect::sheen);
+constexpr unsigned kRough = kGlossy | bit(Effect::rough_glass) | bit(Effect::thin_walls);
+constexpr unsigned kTabulated = kRough | bit(Effect::sheen);
 
 struct Piece {
   const char* file;
