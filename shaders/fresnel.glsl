@@ -13,11 +13,17 @@ float normalReflectance(float ior) {
   return ratio * ratio;
 }
 
+// And, for Schlick's formula, at the horizon: 1, but for boundaries that bend next to nothing and so
+// are next to invisible. Reached at an index of refraction of 1.33, that of water.
+float grazingReflectance(float ior) {
+  return min(50.0 * normalReflectance(ior), 1.0);
+}
+
 // The cosine, below the boundary, of a ray that meets it with `cosine`, or 0 where all is
 // reflected. `ior`: that of the far side against the near one.
 float refractedCosine(float cosine, float ior) {
-  float sine2 = (1.0 - cosine * cosine) / (ior * ior);
-  return sqrt(max(1.0 - sine2, 0.0));
+  // The square in this form keeps its digits where the boundary hardly bends.
+  return sqrt(max((ior - 1.0) * (ior + 1.0) + cosine * cosine, 0.0)) / ior;
 }
 
 // Of a dielectric, the mean of both polarisations: 1 where all is reflected.

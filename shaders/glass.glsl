@@ -4,7 +4,7 @@
 
 // Below.
 vec3 refractedDirection(vec3 wo, float ior) {
-  return vec3(-wo.x / ior, -wo.y / ior, -refractedCosine(wo.z, ior));
+  return normalize(vec3(-wo.x / ior, -wo.y / ior, -refractedCosine(wo.z, ior)));
 }
 
 // Reflects as often as the boundary does, so that the weight of either is 1.

@@ -28,8 +28,10 @@ float pdfGloss(vec3 wo, vec3 wi, float alpha) {
   return pdfGgxNormal(wo, normal, alpha) / (4.0 * max(dot(wo, normal), 1.0e-7));
 }
 
-// May be below the horizon, where it stands for nothing.
+// The zero vector, which stands for nothing, where a microfacet reflects into the surface: other lobes
+// may have light from there.
 vec3 sampleGloss(vec3 wo, float alpha, vec2 random) {
   vec3 normal = sampleGgxNormal(wo, alpha, random);
-  return normal * (2.0 * dot(wo, normal)) - wo;
+  vec3 wi = normal * (2.0 * dot(wo, normal)) - wo;
+  return wi.z > 0.0 ? wi : vec3(0.0);
 }

@@ -48,7 +48,9 @@
 //   1: emission r, g, b; density of light samples on the surface, per square metre, negative where
 //   both sides emit
 //   2: roughness, specular, ior, transmission
-//   3 to 5: free
+//   3: what absorbs inside, r, g, b, per metre, 0 where light does not get in; 1 if thin-walled, else 0
+//   4: clear coat, its roughness, roughness of the sheen, square of gloss_albedo.glsl for rough glass
+//   5: colour of the sheen r, g, b, free
 //   6: alpha; below which alpha it is a hole, negative where alpha is a share; scale of the normal
 //   map; 1 where vertex colours multiply the emission
 //   from TEXTURE_USES on: the uses of pictures, in the order of the *_TEXTURE below
@@ -81,8 +83,8 @@
 #define TEXCOORD_TEXELS 3.0
 #define COLOR_TEXELS 3.0
 
-// Side of the square table of gloss_albedo.glsl.
-#define GLOSS_TABLE_SIZE 32.0
+// Side of the squares in the table of gloss_albedo.glsl.
+#define GLOSS_TABLE_SIZE 64.0
 
 // Lights, an alias table; see light_table.glsl. One texel each:
 //   share of the entry that goes to its own triangle, index of that, index of the other one, free

@@ -1,6 +1,7 @@
 // A rough boundary between two dielectrics: Walter et al. 2007, "Microfacet Models for Refraction
 // through Rough Surfaces", section 5. Radiance is not scaled by the square of the index of
-// refraction where it enters: it is scaled back where it leaves. Depends on fresnel.glsl and
+// refraction where it enters: it is scaled back where it leaves. What is lost because light meets only
+// one microfacet is added back evenly: `albedo` is what is left. Depends on fresnel.glsl and
 // ggx.glsl. Directions are in a frame with the normal along +z, wo above, wi on either side; `ior`
 // is that of the far side against the near one, and not 1.
 
@@ -31,12 +32,13 @@ float glassShare(vec3 wo, vec3 wi, vec3 normal, float ior) {
 }
 
 // Times the cosine of wi. What goes through is tinted by the caller.
-float evalRoughGlass(vec3 wo, vec3 wi, float alpha, float ior) {
+float evalRoughGlass(vec3 wo, vec3 wi, float alpha, float ior, float albedo) {
   vec3 normal = glassNormal(wo, wi, ior);
   if (!glassFacetFits(wo, wi, normal)) return 0.0;
   float masking = ggxMaskingShadowing(wo, vec3(wi.x, wi.y, abs(wi.z)), alpha);
   return glassShare(wo, wi, normal, ior) * masking * ggxDistribution(normal, alpha) *
-         (dot(wo, normal) / max(wo.z, 1.0e-7)) * glassJacobian(wo, wi, normal, ior);
+         (dot(wo, normal) / (max(wo.z, 1.0e-7) * max(albedo, 0.01))) *
+         glassJacobian(wo, wi, normal, ior);
 }
 
 float pdfRoughGlass(vec3 wo, vec3 wi, float alpha, float ior) {

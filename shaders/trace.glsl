@@ -75,8 +75,12 @@ Hit followRay(inout PathRay ray) {
 }
 
 HitRecord recordOf(PathRay ray, Hit hit, float weight) {
+  vec3 throughput = ray.throughput;
+#if ABSORPTION
+  throughput *= transmittanceAlong(hit);
+#endif
   return HitRecord(hit.triangle, facingOf(hit.volumes) > 0.0 ? 1.0 : 0.0, weightsOf(hit.volumes),
-                   ray.direction, ray.throughput, weight);
+                   ray.direction, throughput, weight);
 }
 
 // Whether there is anything to add or to follow where the ray has come to.

@@ -1,5 +1,5 @@
 // The trace pass: one ray of every path. The camera pass is the same without a record to start from.
-uniform float uDeltaOnly;  // 1: follows only what mirrors and glass send on, else 0
+uniform float uDeltaOnly;  // 1: follows only what mirrors, glass and clear coats send on, else 0
 
 void main() {
   vec2 pixel = pixelCenter();
@@ -11,7 +11,7 @@ void main() {
   bool live = readRecord(pixel, start);
   PathRay ray = scatteredRay(start, !live, random);
 #endif
-#if (MIRROR || GLASS) && FROM_RECORD
+#if (MIRROR || GLASS || CLEARCOAT) && FROM_RECORD
   ray.wanted = ray.wanted && (uDeltaOnly < 0.5 || ray.pdf >= PDF_DELTA);
 #endif
   Hit hit = followRay(ray);

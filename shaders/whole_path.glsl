@@ -19,7 +19,7 @@ Path startPath(PathRay ray) {
 void meetSurface(inout Path path, vec4 random, bool first, bool last) {
   Hit hit = followRay(path.ray);
   path.record = recordOf(path.ray, hit, first ? 1.0 : emissionWeight(path.ray, hit));
-  vec3 throughput = path.ray.throughput;
+  vec3 throughput = path.record.throughput;
   float largest = max(throughput.r, max(throughput.g, throughput.b));
   path.ended = !goesOn(path.ray, hit) || !(largest >= LEAST_THROUGHPUT);
   path.radiance += radianceOf(path.record, path.ended, random, last ? 1.0 : 0.0);

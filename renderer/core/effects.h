@@ -16,6 +16,10 @@ enum class Effect {
   mirror,             // surfaces that reflect in one direction
   glass,              // smooth boundaries that light passes
   rough_glass,        // rough ones
+  thin_walls,         // those that do not bend it
+  absorption,         // on the way through the inside of a material
+  clearcoat,          // a clear boundary over the others
+  sheen,              // fibres over the others
   textures,           // pictures on surfaces
   emission_textures,  // on surfaces that emit
   normal_maps,        // which bend the shading normal
@@ -27,7 +31,7 @@ enum class Effect {
   orthographic,       // a camera whose rays are parallel
 };
 
-inline constexpr int kEffectCount = 17;
+inline constexpr int kEffectCount = 21;
 
 using EffectSet = std::bitset<kEffectCount>;
 
@@ -37,15 +41,12 @@ inline bool has(const EffectSet& effects, Effect effect) {
 
 // As the command line and, in capitals, the shaders call it.
 inline std::string nameOf(Effect effect) {
-  constexpr std::array<const char*, kEffectCount> kNames{"triangle_lights", "environment",
-                                                         "environment_map", "smooth_normals",
-                                                         "gloss",           "mirror",
-                                                         "glass",           "rough_glass",
-                                                         "textures",        "emission_textures",
-                                                         "normal_maps",     "vertex_colors",
-                                                         "alpha",           "unlit",
-                                                         "punctual_lights", "lens",
-                                                         "orthographic"};
+  constexpr std::array<const char*, kEffectCount> kNames{
+      "triangle_lights", "environment", "environment_map", "smooth_normals",    "gloss",
+      "mirror",          "glass",       "rough_glass",     "thin_walls",        "absorption",
+      "clearcoat",       "sheen",       "textures",        "emission_textures", "normal_maps",
+      "vertex_colors",   "alpha",       "unlit",           "punctual_lights",   "lens",
+      "orthographic"};
   return kNames[static_cast<std::size_t>(effect)];
 }
 

@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "renderer/passes/gloss_table.h"
 #include "renderer/scene/texture_uses.h"
+#include "renderer/scene/transmission.h"
 #include "shaders/layout.h"
 
 namespace glimt {
@@ -28,6 +30,15 @@ void packSurface(const Material& material, double density, std::vector<Vec4>& te
   texels.emplace_back(material.base_color, material.metallic);
   texels.emplace_back(material.emission, material.double_sided ? -least : least);
   texels.emplace_back(material.roughness, material.specular, material.ior, material.transmission);
+}
+
+// Of what is inside, and over the rest.
+void packLayers(const Material& material, const std::vector<float>& iors,
+                std::vector<Vec4>& texels) {
+  texels.emplace_back(absorptionOf(material), material.thin_walled ? 1.0f : 0.0f);
+  texels.emplace_back(material.clearcoat, material.clearcoat_roughness, material.sheen_roughness,
+                      static_cast<float>(squareOfIor(iors, material.ior)));
+  texels.emplace_back(material.sheen_color, 0.0f);
 }
 
 Vec4 factorsOf(const Material& material) {
@@ -59,11 +70,12 @@ void packUse(const TextureUse& use, const TextureAtlas& atlas, std::vector<Vec4>
 
 std::vector<Vec4> packMaterials(const Scene& scene, const LightTable& lights,
                                 const TextureAtlas& atlas) {
+  const std::vector<float> iors = tabulatedIors(scene);
   std::vector<Vec4> texels;
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const Material material = shadedAs(scene.materials[i]);
     packSurface(material, lights.densities[i], texels);
-    texels.insert(texels.end(), 3, Vec4(0));
+    packLayers(material, iors, texels);
     texels.push_back(factorsOf(material));
     for (const TextureUse* use : usesOf(material)) packUse(*use, atlas, texels);
   }

@@ -75,7 +75,8 @@ void PathTracer::planStages() {
   stages_.clear();
   for (int bounce = 0; bounce <= bounces_; ++bounce) planBounce(bounce);
   // Light samples find nothing for a mirror or glass, so at the last surface a ray looks for it.
-  if (has(effects_, Effect::mirror) || has(effects_, Effect::glass)) planBounce(bounces_ + 1);
+  const bool reflects_singly = has(effects_, Effect::mirror) || has(effects_, Effect::clearcoat);
+  if (reflects_singly || has(effects_, Effect::glass)) planBounce(bounces_ + 1);
   stages_.push_back({Pass::accumulate, 0});
   if ((samples_ + 1) % SAMPLES_PER_BLOCK == 0) stages_.push_back({Pass::close_block, 0});
 }

@@ -142,7 +142,7 @@ SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene, const
   grid_origin_ = nodes.grid_origin;
   grid_cell_ = nodes.grid_cell;
   light_count_ = lights.entries.size();
-  gloss_table_ = makeGlossTexture(device, effectsOf(scene));
+  gloss_table_ = makeGlossTexture(device, scene);
   light_shares_ = lightShares(scene, lights);
   environment_radiance_ = scene.environment.radiance();
   environment_map_ = EnvironmentMap(device, scene.environment);
@@ -157,6 +157,8 @@ void SceneTextures::bind(gl::Program& program) const {
   bindData(program, "uAttributes", attributes_);
   atlas_.bind(program);
   program.set("uGlossTable", gloss_table_);
+  program.set("uGlossTableSquares",
+              static_cast<float>(gloss_table_.height()) / static_cast<float>(gloss_table_.width()));
   program.set("uNodesPerCopy", static_cast<float>(nodes_per_copy_));
   program.set("uTriangleCount", static_cast<float>(triangle_count_));
   program.set("uGridOrigin", grid_origin_);

@@ -6,6 +6,7 @@
 
 #include "renderer/core/wording.h"
 #include "renderer/scene/texture_uses.h"
+#include "renderer/scene/transmission.h"
 
 namespace glimt {
 namespace {
@@ -94,11 +95,6 @@ bool reflects(const Material& material) {
          (material.metallic > 0 || (material.specular > 0 && material.transmission < 1));
 }
 
-bool transmits(const Material& material) {
-  const bool metal = material.metallic == 1 && !material.metallic_roughness_texture.used();
-  return !material.unlit && !metal && material.transmission > 0;
-}
-
 EffectReport reportPunctualLights(const Scene& scene) {
   const auto count = static_cast<std::size_t>(
       std::count_if(scene.lights.begin(), scene.lights.end(),
@@ -133,6 +129,10 @@ std::vector<EffectReport> reportEffects(const Scene& scene) {
   const auto gloss = [](const Material& m) { return reflects(m) && m.roughness > 0; };
   const auto mirror = [](const Material& m) { return reflects(m) && m.roughness == 0; };
   const auto glass = [](const Material& m) { return transmits(m) && m.roughness == 0; };
+  const auto absorbs = [](const Material& m) { return absorptionOf(m) != Vec3(0); };
+  const auto coated = [](const Material& m) { return !m.unlit && m.clearcoat > 0; };
+  const auto fibrous = [](const Material& m) { return !m.unlit && anyPositive(m.sheen_color); };
+  const auto thin = [](const Material& m) { return transmits(m) && m.thin_walled; };
   const auto rough_glass = [](const Material& m) { return transmits(m) && m.roughness > 0; };
   const auto emits_texture = [](const Material& m) {
     const Material shaded = shadedAs(m);
@@ -150,6 +150,10 @@ std::vector<EffectReport> reportEffects(const Scene& scene) {
       reportMaterials(scene, Effect::mirror, mirror, "smooth and reflecting"),
       reportMaterials(scene, Effect::glass, glass, "smooth and transmitting"),
       reportMaterials(scene, Effect::rough_glass, rough_glass, "rough and transmitting"),
+      reportMaterials(scene, Effect::thin_walls, thin, "thin-walled and transmitting"),
+      reportMaterials(scene, Effect::absorption, absorbs, "absorbing inside"),
+      reportMaterials(scene, Effect::clearcoat, coated, "under a clear coat"),
+      reportMaterials(scene, Effect::sheen, fibrous, "covered by fibres"),
       reportMaterials(scene, Effect::textures, looksUp, "textured"),
       reportMaterials(scene, Effect::emission_textures, emits_texture, "emitting with a texture"),
       reportMaterials(scene, Effect::normal_maps, normal_map, "normal-mapped"),

@@ -9,6 +9,7 @@
 #include "renderer/core/error.h"
 #include "renderer/core/file.h"
 #include "renderer/core/wording.h"
+#include "renderer/scene/mtl_material.h"
 #include "renderer/scene/obj_lines.h"
 
 namespace glimt {
@@ -18,9 +19,11 @@ constexpr std::uintmax_t kLargestMtl = 64 << 20;
 // tinyobjloader takes more than a thousand bytes for each.
 constexpr std::size_t kMostMaterials = 1 << 16;
 
-// tinyobjloader takes a material that gives no Kd for a black one. So every material begins with
-// a Kd that no file gives; one that the file gives comes later and wins.
-std::string withDefaultColor(std::string_view text, const std::string& path) {
+// tinyobjloader does not tell what is not given. So every material begins with these; what the file
+// gives comes later and wins.
+constexpr const char* kDefaults = "Kd -1 -1 -1\nNs -1\nNi -1\nTf -1 -1 -1\nPr -1\nPm -1\nillum 2\n";
+
+std::string withDefaults(std::string_view text, const std::string& path) {
   ObjLines lines(text);
   std::istream stream(&lines);
   std::string out;
@@ -28,23 +31,12 @@ std::string withDefaultColor(std::string_view text, const std::string& path) {
   for (std::string line; std::getline(stream, line);) {
     out += line + "\n";
     if (!line.starts_with("newmtl")) continue;
-    out += "Kd -1 -1 -1\n";
+    out += kDefaults;
     if (++materials <= kMostMaterials) continue;
     throw Error(ErrorKind::input, fmt::format("{}:{}: more than {} materials; use fewer", path,
                                               lines.number(), grouped(kMostMaterials)));
   }
   return out;
-}
-
-Vec3 vectorOf(const tinyobj::real_t (&values)[3]) {
-  return {values[0], values[1], values[2]};
-}
-
-// Without a Kd: grey, or what the picture says.
-Vec3 baseColorOf(const tinyobj::material_t& m) {
-  const Vec3 given = vectorOf(m.diffuse);
-  if (given != Vec3(-1)) return given;
-  return m.diffuse_texname.empty() ? Material().base_color : Vec3(1);
 }
 
 bool hasOtherTextures(const tinyobj::material_t& m) {
@@ -82,25 +74,6 @@ MtlTextures texturesOf(const tinyobj::material_t& m) {
   return textures;
 }
 
-// By its illumination model.
-bool isGlass(const tinyobj::material_t& m) {
-  return m.illum == 4 || m.illum == 6 || m.illum == 7 || m.illum == 9;
-}
-
-// What is dissolved lets light pass without bending it. Nothing is left at 0, which many files say
-// where they mean 1.
-void dissolve(const tinyobj::material_t& m, Material& material) {
-  if (isGlass(m) || !(m.dissolve > 0 && m.dissolve < 1)) return;
-  material.alpha = m.dissolve;
-  material.alpha_mode = AlphaMode::blend;
-}
-
-bool isBeyondLambert(const tinyobj::material_t& m) {
-  return m.specular[0] > 0 || m.specular[1] > 0 || m.specular[2] > 0 || m.illum >= 3 ||
-         m.metallic > 0 || m.sheen > 0 || m.clearcoat_thickness > 0 ||
-         (isGlass(m) && m.dissolve < 1);
-}
-
 std::string withoutBlanksAround(const std::string& name) {
   const std::size_t first = name.find_first_not_of(" \t");
   if (first == std::string::npos) return {};
@@ -112,7 +85,7 @@ std::string withoutBlanksAround(const std::string& name) {
 std::vector<MtlMaterial> readMtlFile(const std::filesystem::path& path) {
   const std::string bytes = readFile(path, kLargestMtl);
   const std::string shown_path = printable(path.string());
-  std::istringstream text(withDefaultColor(demandText(bytes, shown_path), shown_path));
+  std::istringstream text(withDefaults(demandText(bytes, shown_path), shown_path));
   std::map<std::string, int> index_of_name;
   std::vector<tinyobj::material_t> parsed;
   std::string ignored_warnings;
@@ -124,15 +97,10 @@ std::vector<MtlMaterial> readMtlFile(const std::filesystem::path& path) {
     const std::string name = withoutBlanksAround(m.name);
     if (name.empty()) continue;
     MtlMaterial out;
+    out.material = materialOfMtl(m);
     out.material.name = name;
-    out.material.base_color = baseColorOf(m);
-    out.material.emission = vectorOf(m.emission);
-    if (!m.emissive_texname.empty() && out.material.emission == Vec3(0))
-      out.material.emission = Vec3(1);
-    dissolve(m, out.material);
     out.textures = texturesOf(m);
     out.has_other_textures = hasOtherTextures(m);
-    out.beyond_lambert = isBeyondLambert(m);
     materials.push_back(std::move(out));
   }
   return materials;

@@ -27,10 +27,9 @@ struct MtlTextures {
 };
 
 struct MtlMaterial {
-  Material material;  // values as in the file, unchecked; Kd 0.8 where it gives none
+  Material material;  // as docs/materials.md says, unchecked; Kd 0.8 where the file gives none
   MtlTextures textures;
   bool has_other_textures = false;  // names pictures of other kinds
-  bool beyond_lambert = false;      // asks for gloss, metal or glass
 };
 
 // Errors: input, for what cannot be read or is no text.

@@ -86,21 +86,14 @@ std::vector<MtlMaterial> readLibraries(const ObjMesh& mesh, const fs::path& fold
 
 void warnAbout(const std::vector<MtlMaterial>& used, std::vector<std::string>& warnings) {
   std::vector<std::string> ignored;
-  std::vector<std::string> simplified;
   for (const MtlMaterial& m : used) {
     if (m.has_other_textures) ignored.push_back(m.material.name);
-    if (m.beyond_lambert) simplified.push_back(m.material.name);
   }
   if (!ignored.empty()) {
     warnings.push_back(fmt::format(
         "the MTL names textures of kinds that have no place in the material, of {}; use map_Kd, "
         "map_d, map_Ke, map_Pr, map_Pm or norm",
         listed(ignored)));
-  }
-  if (!simplified.empty()) {
-    warnings.push_back(
-        fmt::format("the MTL asks for metal, gloss or glass; for now rendered as Lambert: {}",
-                    listed(simplified)));
   }
 }
 

@@ -145,10 +145,15 @@ bool clampSurface(Material& material) {
   constexpr float kBendsNothing = 1e-4f;
   bool changed = false;
   for (float* share :
-       {&material.metallic, &material.roughness, &material.specular, &material.transmission})
+       {&material.metallic, &material.roughness, &material.specular, &material.transmission,
+        &material.clearcoat, &material.clearcoat_roughness, &material.sheen_roughness})
     changed |= clampNumber(*share, 0, 1);
+  changed |= clampChannels(material.sheen_color, 0, 1);
+  changed |= clampChannels(material.attenuation_color, 0, 1);
+  changed |= clampNumber(material.attenuation_distance, 0, std::numeric_limits<float>::max());
   changed |= clampNumber(material.ior, 1, kMostIor);
-  if (material.transmission > 0 && material.ior < 1 + kBendsNothing) material.roughness = 0;
+  const bool bends = material.ior >= 1 + kBendsNothing || material.thin_walled;
+  if (material.transmission > 0 && !bends) material.roughness = 0;
   return changed;
 }
 
@@ -174,9 +179,8 @@ void checkMaterials(Scene& scene) {
   }
   if (!changed.empty()) {
     scene.warnings.push_back(
-        fmt::format("metallic, roughness, specular or transmission brought into 0 to 1, or the "
-                    "index of refraction "
-                    "to 1 or more: {}",
+        fmt::format("metallic, roughness, specular, transmission, clear coat, sheen or attenuation "
+                    "brought into 0 to 1, or the index of refraction to 1 or more: {}",
                     listed(changed)));
   }
   if (!dimmed.empty()) {

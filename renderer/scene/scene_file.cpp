@@ -96,7 +96,14 @@ MaterialSettings readMaterial(std::string name, const JsonFields& fields) {
   material.roughness = fields.number("roughness", kUnit);
   material.ior = fields.number("ior", kIor);
   material.transmission = fields.number("transmission", kUnit);
-  material.beyond = fields.number("clearcoat", kUnit).value_or(0.0f) > 0;
+  material.specular = fields.number("specular", kUnit);
+  material.thin_walled = fields.boolean("thin_walled");
+  material.attenuation_color = fields.vector("attenuation_color", kUnit);
+  material.attenuation_distance = fields.number("attenuation_distance", kPositive);
+  material.clearcoat = fields.number("clearcoat", kUnit);
+  material.clearcoat_roughness = fields.number("clearcoat_roughness", kUnit);
+  material.sheen_color = fields.vector("sheen_color", kUnit);
+  material.sheen_roughness = fields.number("sheen_roughness", kUnit);
   return material;
 }
 
@@ -116,6 +123,14 @@ void apply(const MaterialSettings& settings, Material& material) {
   replace(material.transmission, settings.transmission);
   if (settings.metallic || settings.roughness || settings.ior || settings.transmission)
     material.specular = 1;
+  replace(material.specular, settings.specular);
+  replace(material.thin_walled, settings.thin_walled);
+  replace(material.attenuation_color, settings.attenuation_color);
+  replace(material.attenuation_distance, settings.attenuation_distance);
+  replace(material.clearcoat, settings.clearcoat);
+  replace(material.clearcoat_roughness, settings.clearcoat_roughness);
+  replace(material.sheen_color, settings.sheen_color);
+  replace(material.sheen_roughness, settings.sheen_roughness);
 }
 
 RenderDefaults readRender(const JsonFields& fields) {
@@ -167,9 +182,11 @@ SceneFile readSceneFile(const fs::path& path) {
   }
   if (const auto* materials = fields.object("materials")) {
     for (const auto& [name, value] : materials->items()) {
-      const JsonFields material(document, fmt::format("materials.{}", printable(name)), value,
-                                {"base_color", "metallic", "roughness", "ior", "transmission",
-                                 "emission", "clearcoat", "double_sided"});
+      const JsonFields material(
+          document, fmt::format("materials.{}", printable(name)), value,
+          {"base_color", "metallic", "roughness", "ior", "transmission", "emission", "double_sided",
+           "specular", "thin_walled", "attenuation_color", "attenuation_distance", "clearcoat",
+           "clearcoat_roughness", "sheen_color", "sheen_roughness"});
       file.materials.push_back(readMaterial(name, material));
     }
   }
@@ -182,7 +199,6 @@ SceneFile readSceneFile(const fs::path& path) {
 
 void applyMaterials(const SceneFile& file, Scene& scene) {
   std::vector<std::string> unknown;
-  std::vector<std::string> simplified;
   std::unordered_map<std::string_view, Material*> material_of_name;
   for (Material& material : scene.materials) material_of_name.try_emplace(material.name, &material);
   for (const MaterialSettings& settings : file.materials) {
@@ -191,19 +207,13 @@ void applyMaterials(const SceneFile& file, Scene& scene) {
       unknown.push_back(settings.name);
       continue;
     }
-    Material* const material = found->second;
-    apply(settings, *material);
-    if (settings.beyond) simplified.push_back(settings.name);
+    apply(settings, *found->second);
   }
   if (!unknown.empty()) {
     std::vector<std::string> known;
     for (const Material& material : scene.materials) known.push_back(material.name);
     scene.warnings.push_back(
         fmt::format("the model has no material {}; it has {}", listed(unknown), listed(known)));
-  }
-  if (!simplified.empty()) {
-    scene.warnings.push_back(fmt::format(
-        "the scene file asks for a clear coat; for now rendered without: {}", listed(simplified)));
   }
 }
 

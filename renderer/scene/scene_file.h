@@ -21,8 +21,15 @@ struct MaterialSettings {
   std::optional<float> metallic;
   std::optional<float> roughness;
   std::optional<float> ior;
+  std::optional<float> specular;
   std::optional<float> transmission;
-  bool beyond = false;  // asks for what is not built: a clear coat
+  std::optional<bool> thin_walled;
+  std::optional<Vec3> attenuation_color;
+  std::optional<float> attenuation_distance;
+  std::optional<float> clearcoat;
+  std::optional<float> clearcoat_roughness;
+  std::optional<Vec3> sheen_color;
+  std::optional<float> sheen_roughness;
 };
 
 struct NamedCameraSettings {

@@ -56,11 +56,15 @@ bool isMet(const Condition& condition, const EffectSet& effects) {
 }
 
 constexpr unsigned kReflecting = bit(Effect::gloss) | bit(Effect::mirror);
-constexpr unsigned kRough = bit(Effect::gloss) | bit(Effect::rough_glass);
 constexpr unsigned kTransmitting = bit(Effect::glass) | bit(Effect::rough_glass);
 constexpr unsigned kTextured = bit(Effect::textures);
 constexpr unsigned kVaried = kTextured | bit(Effect::vertex_colors);
-constexpr unsigned kLayered = kReflecting | kTransmitting;  // more than Lambert surfaces
+constexpr unsigned kOver = bit(Effect::sheen) | bit(Effect::clearcoat);
+constexpr unsigned kLayered = kReflecting | kTransmitting | kOver;  // more than Lambert surfaces
+// What microfacets reflect, and of which surfaces the table is that says how much that is.
+constexpr unsigned kGlossy = kReflecting | bit(Effect::clearcoat);
+constexpr unsigned kRough = kGlossy | bit(Effect::rough_glass) | bit(Effect::thin_walls);
+constexpr unsigned kTabulated = kRough | bit(Effect::sheen);
 
 struct Piece {
   const char* file;
@@ -93,13 +97,17 @@ const auto kPieces = std::to_array<Piece>({
     {"warp.glsl", kCamera, with(Effect::lens)},
     {"lambert.glsl", kBounces | kEscape, {}},
     {"fresnel.glsl", kBounces, with(kLayered)},
-    {"ggx.glsl", kBounces, with(kReflecting | kRough)},
-    {"gloss.glsl", kBounces, with(kReflecting)},
-    {"mirror.glsl", kBounces, with(bit(Effect::mirror) | bit(Effect::glass))},
+    {"ggx.glsl", kBounces, with(kRough)},
+    {"gloss.glsl", kBounces, with(kGlossy)},
+    {"mirror.glsl", kBounces, with(kGlossy | kTransmitting)},
     {"glass.glsl", kBounces, with(Effect::glass)},
     {"rough_glass.glsl", kBounces, with(Effect::rough_glass)},
+    {"thin_wall.glsl", kBounces, with(Effect::thin_walls)},
+    {"sheen.glsl", kBounces, with(Effect::sheen)},
+    {"clearcoat.glsl", kBounces, with(Effect::clearcoat)},
     {"bsdf_sample.glsl", kBounces, {}},
     {"bsdf_lambert.glsl", kBounces, without(kLayered)},
+    {"bsdf_layers.glsl", kBounces, with(kLayered)},
     {"bsdf_layered.glsl", kBounces, with(kLayered)},
     {"ray_origin.glsl", kBounces, {}},
     {"multiple_importance.glsl", kBounces, {}},
@@ -116,11 +124,11 @@ const auto kPieces = std::to_array<Piece>({
     {"surface.glsl", kBounces, {}},
     {"plain_material.glsl", kBounces, without(kVaried)},
     {"textured_material.glsl", kBounces, with(kVaried)},
-    {"gloss_albedo.glsl", kBounces, with(kReflecting)},
+    {"gloss_albedo.glsl", kBounces, with(kTabulated)},
     {"lambert_data.glsl", kBounces, without(kLayered)},
     {"layered_data.glsl", kBounces, with(kLayered)},
     // The camera's rays ask for the materials only where they may pass them.
-    {"material_data.glsl", kCamera, with(Effect::alpha)},
+    {"material_data.glsl", kCamera, with(bit(Effect::alpha) | bit(Effect::absorption))},
     {"texture_wrap.glsl", kCamera, with(Effect::alpha)},
     {"srgb_decoding.glsl", kCamera, with(Effect::alpha)},
     {"texture_data.glsl", kCamera, with(Effect::alpha)},
@@ -142,6 +150,7 @@ const auto kPieces = std::to_array<Piece>({
     {"radiance_target.glsl", kLight | kEscape, {}},
     {kRecordInput, kTrace | kEscape | kLight, {}},
     {kRecordOutput, kCamera | kTrace, {}},
+    {"absorption.glsl", kCamera | kTrace | kWholePath, with(Effect::absorption)},
     {"trace.glsl", kCamera | kTrace | kWholePath, {}},
     {"trace_pass.glsl", kCamera | kTrace, {}},
     {"escape.glsl", kEscape | kWholePath, with(Effect::environment)},

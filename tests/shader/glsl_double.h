@@ -5,6 +5,7 @@
 
 namespace glimt::glsl_double {
 
+#include "tests/shader/all_effects.inc"
 #include "tests/shader/glsl_names.inc"
 
 using vec2 = glm::dvec2;
@@ -35,6 +36,18 @@ namespace {
 #include "shaders/tone_aces.glsl"
 #include "shaders/texture_wrap.glsl"
 #include "shaders/srgb_decoding.glsl"
+#include "shaders/fresnel.glsl"
+#include "shaders/ggx.glsl"
+#include "shaders/gloss.glsl"
+#include "shaders/mirror.glsl"
+#include "shaders/glass.glsl"
+#include "shaders/rough_glass.glsl"
+#include "shaders/thin_wall.glsl"
+#include "shaders/sheen.glsl"
+#include "shaders/clearcoat.glsl"
+#include "shaders/bsdf_sample.glsl"
+#include "shaders/bsdf_layers.glsl"
+#include "shaders/bsdf_layered.glsl"
 // clang-format on
 }  // namespace
 #undef float

@@ -5,6 +5,7 @@
 
 namespace glimt::glsl_float {
 
+#include "tests/shader/all_effects.inc"
 #include "tests/shader/glsl_names.inc"
 
 using vec2 = glm::vec2;

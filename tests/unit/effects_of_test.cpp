@@ -163,3 +163,27 @@ TEST_CASE("pictures, vertex colours, alpha and unlit surfaces are effects of mat
   CHECK(has(effectsOf(scene), Effect::unlit));
   CHECK_FALSE(has(effectsOf(scene), Effect::triangle_lights));
 }
+
+TEST_CASE("coats, fibres, thin walls and absorption turn on their effect, where light gets there") {
+  Scene scene = sceneOf(2);
+  Material& material = scene.materials[scene.triangles[1].material];
+  material = Material();
+  material.thin_walled = true;
+  material.attenuation_color = Vec3(0.5f);
+  material.attenuation_distance = 1;
+  CHECK(effectsOf(scene).none());
+  material.transmission = 1;
+  CHECK(reportOn(scene, Effect::thin_walls).on);
+  CHECK_FALSE(reportOn(scene, Effect::absorption).on);
+  material.thin_walled = false;
+  CHECK_FALSE(reportOn(scene, Effect::thin_walls).on);
+  CHECK(reportOn(scene, Effect::absorption).on);
+  material = Material();
+  material.clearcoat = 0.1f;
+  CHECK(reportOn(scene, Effect::clearcoat).on);
+  CHECK(effectsOf(scene).count() == 1);
+  material = Material();
+  material.sheen_color = Vec3(0, 0.1f, 0);
+  CHECK(reportOn(scene, Effect::sheen).on);
+  CHECK(effectsOf(scene).count() == 1);
+}

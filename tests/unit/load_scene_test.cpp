@@ -252,12 +252,11 @@ TEST_CASE("colours that no surface can have are clamped with a warning") {
   CHECK(warns(scene, "emission that is negative or not finite became 0: 'a'"));
 }
 
-TEST_CASE("gloss, glass and textures are warned about once, and only for materials in use") {
+TEST_CASE("textures are warned about once, and only of materials in use") {
   const Scene scene = loadObj("usemtl a\n" + kTriangle + "usemtl b\nf 1 2 3\nusemtl a\nf 3 2 1\n",
                               "newmtl a\nKs 1 1 1\nillum 5\nmap_Kd x.png\nmap_Ks s.png\nnewmtl b\n"
                               "d 0.5\nillum 7\nnewmtl unused\nPm 1\nmap_Kd y.png\n");
   CHECK(scene.triangles.size() == 3);
-  CHECK(warns(scene, "for now rendered as Lambert: 'a' and 'b'"));
   CHECK(warns(scene, "no place in the material, of 'a'"));
   CHECK(warns(scene, "no picture 'x.png' beside the model"));
   CHECK_FALSE(warns(scene, "y.png"));

@@ -249,8 +249,7 @@ TEST_CASE("a material that the model names and no MTL defines can be said in the
   CHECK(named(scene, "gold").base_color == Vec3(1, 1, 0));
 }
 
-TEST_CASE(
-    "metal, gloss and glass are taken from the file, a clear coat is left out with a warning") {
+TEST_CASE("metal, gloss and glass are taken from the file") {
   const SceneFolder folder;
   const Scene scene = folder.load(
       R"("materials": {"wall": {"metallic": 1, "roughness": 0.3}, "lamp": {"transmission": 1, "ior": 1.4}})");
@@ -259,7 +258,25 @@ TEST_CASE(
   CHECK(named(scene, "wall").roughness == 0.3f);
   CHECK(named(scene, "lamp").transmission == 1);
   CHECK(named(scene, "lamp").ior == 1.4f);
-  CHECK(warns(folder.load(R"("materials": {"wall": {"clearcoat": 1}})"), "without: 'wall'"));
+}
+
+TEST_CASE("coats, fibres, thin walls and absorption are taken from the file") {
+  const SceneFolder folder;
+  const Scene scene = folder.load(
+      R"("materials": {"wall": {"clearcoat": 0.5, "clearcoat_roughness": 0.1,
+         "sheen_color": [0.1, 0.2, 0.3], "sheen_roughness": 0.4},
+         "lamp": {"transmission": 1, "thin_walled": true, "attenuation_color": [0.5, 0.6, 0.7],
+         "attenuation_distance": 2, "specular": 0.25}})");
+  CHECK(scene.warnings.empty());
+  CHECK(named(scene, "wall").clearcoat == 0.5f);
+  CHECK(named(scene, "wall").clearcoat_roughness == 0.1f);
+  CHECK(named(scene, "wall").sheen_color == Vec3(0.1f, 0.2f, 0.3f));
+  CHECK(named(scene, "wall").sheen_roughness == 0.4f);
+  CHECK(named(scene, "wall").specular == 0);
+  CHECK(named(scene, "lamp").thin_walled);
+  CHECK(named(scene, "lamp").attenuation_color == Vec3(0.5f, 0.6f, 0.7f));
+  CHECK(named(scene, "lamp").attenuation_distance == 2);
+  CHECK(named(scene, "lamp").specular == 0.25f);
 }
 
 TEST_CASE("a material is a Lambert surface until the file speaks of its gloss") {
