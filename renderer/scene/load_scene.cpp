@@ -44,12 +44,17 @@ Scene readObjModel(const fs::path& path, const LoadSettings& settings) {
   return readObjFile(path);
 }
 
+bool isGltf(const fs::path& path) {
+  const std::string extension = lowerExtension(path);
+  return extension == ".gltf" || extension == ".glb";
+}
+
 Scene readModel(const fs::path& path, const LoadSettings& settings) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) fail(path, "no such file; check the path");
   const std::string extension = lowerExtension(path);
   if (extension == ".obj") return readObjModel(path, settings);
-  if (extension == ".gltf" || extension == ".glb") return readGltfFile(path, settings.variant);
+  if (isGltf(path)) return readGltfFile(path, settings.variant);
   fail(path,
        "unknown kind of model; glimt reads .obj, .gltf and .glb, and .scene.json that names one");
 }
@@ -110,15 +115,26 @@ bool isLit(const Scene& scene) {
          has(effects, Effect::punctual_lights);
 }
 
+// glTF says nothing of an environment: it is made to be looked at under whatever light the viewer
+// has, and what its surfaces emit is part of their look. Other files that emit light are lit by
+// that.
+bool wantsStudio(const fs::path& model, const Scene& scene) {
+  return !isLit(scene) || (isGltf(model) && scene.lights.empty());
+}
+
 void placeEnvironment(const SceneFile& file, const EnvironmentChoice& choice, Scene& scene) {
   Environment& environment = scene.environment;
   if (file.environment) environment = *file.environment;
   if (choice.image) {
     environment = {Vec3(1), 1, environmentPicture(*choice.image, {}, {}, scene.warnings), 0};
-  } else if (!file.environment && !isLit(scene)) {
-    environment = {Vec3(1), 1, makeStudio(), 0};
+  } else if (!file.environment && wantsStudio(file.model, scene)) {
     scene.warnings.push_back(
-        "nothing gives light, so a studio does; --environment or a scene file can name another");
+        isLit(scene)
+            ? "no light but what surfaces emit, so a studio lights them; --environment or a "
+              "scene file can name another"
+            : "nothing gives light, so a studio does; --environment or a scene file can name "
+              "another");
+    environment = {Vec3(1), 1, makeStudio(), 0};
   }
   if (choice.rotation) environment.rotation = *choice.rotation;
   if (choice.strength) environment.strength = *choice.strength;

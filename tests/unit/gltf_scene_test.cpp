@@ -129,7 +129,7 @@ TEST_CASE("a variant gives primitives its materials, and an unknown one is told 
       {{"material", 0}, {"extensions", {{"KHR_materials_variants", {{"mappings", mappings}}}}}});
   gltf.append("nodes", {{"mesh", 0}});
   const auto material = [&](const std::string& variant) {
-    const Scene scene = load(gltf, {variant});
+    const Scene scene = load(gltf, {variant, {}});
     return scene.materials.at(scene.triangles.at(0).material).name;
   };
   CHECK(load(gltf).variants == std::vector<std::string>{"day", "night"});
@@ -141,5 +141,5 @@ TEST_CASE("a variant gives primitives its materials, and an unknown one is told 
   CHECK(message.find("'day' and 'night'") != std::string::npos);
   const TemporaryFolder folder;
   const auto obj = folder.write("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  messageOf(ErrorKind::usage, [&] { loadScene(obj, {"night"}); });
+  messageOf(ErrorKind::usage, [&] { loadScene(obj, {"night", {}}); });
 }

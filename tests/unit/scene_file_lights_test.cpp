@@ -15,7 +15,7 @@ class Folder {
   Folder() { folder_.write("model.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"); }
   Scene load(const std::string& rest, const EnvironmentChoice& choice = {}) const {
     return loadScene(folder_.write("test.scene.json", "{\"model\": \"model.obj\",\n" + rest + "}"),
-                     choice);
+                     {"", choice});
   }
   std::string error(const std::string& rest) const {
     return messageOf(ErrorKind::input, [&] { load(rest); });
