@@ -27,8 +27,10 @@ vec2 fetchGlossAlbedo(float cosine, float roughness) {
   return vec2(albedos.x, albedos.y);
 }
 
+// Fibres have no less roughness than 0.2, so that is where their rows begin.
 float fetchSheenAlbedo(float cosine, float roughness) {
-  return fetchAlbedos(0.0, cosine, roughness).z;
+  float from_least = clamp((roughness - 0.2) / 0.8, 0.0, 1.0);
+  return fetchAlbedos(0.0, cosine, pow(from_least, 1.5)).z;
 }
 
 float fetchGlassAlbedo(float square, float cosine, float roughness, bool leaving) {

@@ -8,11 +8,6 @@
 // found: -1 - index of the leaf's first triangle, or 0 at the end, or anything positive where the
 // driver cut the walk short. A ray that is not wanted is at the end from the start.
 
-// Probes do without the effects.
-#ifndef ALPHA
-#define ALPHA 0
-#endif
-
 // The slab test loses some bits: distances to the far side are made longer by several roundings (Ize
 // 2013, "Robust BVH Ray Traversal").
 #define BOX_SLACK 1.000001

@@ -151,7 +151,8 @@ std::size_t squareOfIor(const std::vector<float>& iors, float ior) {
 std::vector<Vec4> glossTable(bool with_sheen, const std::vector<float>& iors) {
   std::vector<Vec4> texels;
   addSquare(texels, [with_sheen](double cosine, double roughness) {
-    const double sheen = with_sheen ? sheenAlbedoOf(cosine, roughness) : 0;
+    const double of_fibres = 0.2 + 0.8 * std::pow(roughness, 2.0 / 3);
+    const double sheen = with_sheen ? sheenAlbedoOf(cosine, of_fibres) : 0;
     return Vec4(glossAlbedoOf(cosine, roughness), sheen, 0);
   });
   for (const float ior : iors)

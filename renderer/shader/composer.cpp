@@ -277,7 +277,8 @@ std::string composeFragmentShader(Pass pass) {
 
 std::string composeProbe(const std::vector<std::string>& files, const std::string& text) {
   std::string shader = startFor(2);
-  for (const std::string& file : files) shader += shaderText(file);
+  const std::map<std::string, bool> values = answers(0, {}, false, false);
+  for (const std::string& file : files) shader += takeBranches(shaderText(file), values);
   return shader + text;
 }
 

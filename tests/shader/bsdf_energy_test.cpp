@@ -46,7 +46,9 @@ Albedos albedosOf(Surface s) {
       s.roughness = s.sheen_roughness = roughness;
       s.ior = ior;
       if (s.clearcoat_roughness > 0) s.clearcoat_roughness = std::max(roughness, 0.02);
-      for (const double cosine : kCosines) albedos.add(albedoOf(s, cosine, 32), s, cosine);
+      // Fibres reflect into a narrow band along the surface, and are sampled evenly.
+      const int side = s.sheen > 0 ? 64 : 32;
+      for (const double cosine : kCosines) albedos.add(albedoOf(s, cosine, side), s, cosine);
     }
   return albedos;
 }
