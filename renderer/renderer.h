@@ -68,8 +68,8 @@ struct RenderStatistics {
   std::string traversal;                       // the variant in use
   std::vector<TraversalTime> traversal_times;  // what "auto" measured before it took that one
   std::size_t triangles = 0;
-  std::size_t nodes = 0;          // of the BVH
-  std::size_t texture_bytes = 0;  // geometry, tree and materials on the GPU
+  std::size_t nodes = 0;              // of the BVH
+  std::size_t texture_bytes = 0;      // geometry, tree and materials on the GPU
   std::vector<std::string> warnings;  // what could not be kept as the scene has it
   double bvh_seconds = 0;
   double compile_seconds = 0;

@@ -1,13 +1,5 @@
 // What a surface's BSDF is made of, where only the material says so. The same functions as in
 // textured_material.glsl.
-struct Layer {
-  float metallic;
-  float roughness;
-  float specular;
-  float ior;
-  float transmission;
-};
-
 vec3 baseColorOf(Surface surface) {
   return fetchMaterial(surface.material, 0.0).rgb;
 }

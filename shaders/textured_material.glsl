@@ -1,13 +1,5 @@
 // What a surface's BSDF is made of, where pictures and vertex colours vary the material. Dispatches on
 // the scene's effects. The same functions as in plain_material.glsl.
-struct Layer {
-  float metallic;
-  float roughness;
-  float specular;
-  float ior;
-  float transmission;
-};
-
 vec3 baseColorOf(Surface surface) {
   vec3 color = fetchMaterial(surface.material, 0.0).rgb;
 #if TEXTURES

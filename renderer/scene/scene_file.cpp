@@ -159,9 +159,10 @@ SceneFile readSceneFile(const fs::path& path) {
   SceneFile file;
   const std::optional<std::string> model = fields.text("model");
   if (!model) {
-    throw Error(ErrorKind::input,
-                fmt::format("{}: the key \"model\" is missing; name the .obj, .gltf or .glb to render",
-                            printable(path.string())));
+    throw Error(
+        ErrorKind::input,
+        fmt::format("{}: the key \"model\" is missing; name the .obj, .gltf or .glb to render",
+                    printable(path.string())));
   }
   file.model = path.parent_path() / fs::path(*model);
   if (const auto* camera = fields.object("camera")) {

@@ -39,7 +39,7 @@ struct SoftBox {
 const SoftBox kBoxes[]{
     {42, 38, 0.55f, 0.55f, Vec3(3.7f, 3.5f, 3.3f)},    // key
     {-60, 12, 0.38f, 0.75f, Vec3(1.25f, 1.3f, 1.4f)},  // fill
-    {0, 88, 0.80f, 0.55f, Vec3(1.25f)},                 // overhead
+    {0, 88, 0.80f, 0.55f, Vec3(1.25f)},                // overhead
     {118, 15, 0.18f, 0.80f, Vec3(2.5f)},               // edges
     {-118, 15, 0.18f, 0.80f, Vec3(2)},
 };

@@ -122,6 +122,7 @@ const auto kPieces = std::to_array<Piece>({
     {"normal_data.glsl", kBounces, with(Effect::smooth_normals)},
     {"shadow_terminator.glsl", kBounces, with(Effect::smooth_normals)},
     {"surface.glsl", kBounces, {}},
+    {"material_layer.glsl", kBounces, {}},
     {"plain_material.glsl", kBounces, without(kVaried)},
     {"textured_material.glsl", kBounces, with(kVaried)},
     {"gloss_albedo.glsl", kBounces, with(kTabulated)},

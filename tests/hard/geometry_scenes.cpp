@@ -45,16 +45,6 @@ Scene transformed(Scene scene, float scale, const Vec3& offset) {
   return scene;
 }
 
-void addTriangle(Scene& scene, const Vec3& a, const Vec3& b, const Vec3& c,
-                 std::uint32_t material) {
-  const auto first = static_cast<std::uint32_t>(scene.positions.size());
-  scene.positions.insert(scene.positions.end(), {a, b, c});
-  Triangle triangle;
-  triangle.positions = {first, first + 1, first + 2};
-  triangle.material = material;
-  scene.triangles.push_back(triangle);
-}
-
 void addBlock(Scene& scene, const Vec3& low, const Vec3& high, std::uint32_t material) {
   const std::size_t first = scene.positions.size();
   addCube(scene, 1, material);

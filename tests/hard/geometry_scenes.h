@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/scene/scene.h"
+#include "tests/image/scenes.h"
 
 namespace glimt::test {
 
@@ -15,8 +16,6 @@ Scene shiningOutside(Scene scene);
 
 // The scene, camera included, scaled about the origin and then moved.
 Scene transformed(Scene scene, float scale, const Vec3& offset);
-
-void addTriangle(Scene& scene, const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t material);
 
 // A box with its front sides outside; its edges are along the axes.
 void addBlock(Scene& scene, const Vec3& low, const Vec3& high, std::uint32_t material);

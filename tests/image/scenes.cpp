@@ -5,16 +5,6 @@
 namespace glimt::test {
 namespace {
 
-void addTriangle(Scene& scene, const Vec3& a, const Vec3& b, const Vec3& c,
-                 std::uint32_t material) {
-  const auto first = static_cast<std::uint32_t>(scene.positions.size());
-  scene.positions.insert(scene.positions.end(), {a, b, c});
-  Triangle triangle;
-  triangle.positions = {first, first + 1, first + 2};
-  triangle.material = material;
-  scene.triangles.push_back(triangle);
-}
-
 void addSpherePatch(Scene& scene, const Vec3& a, const Vec3& b, const Vec3& c, float radius,
                     int levels, std::uint32_t material) {
   if (levels == 0) {
@@ -31,6 +21,16 @@ void addSpherePatch(Scene& scene, const Vec3& a, const Vec3& b, const Vec3& c, f
 }
 
 }  // namespace
+
+void addTriangle(Scene& scene, const Vec3& a, const Vec3& b, const Vec3& c,
+                 std::uint32_t material) {
+  const auto first = static_cast<std::uint32_t>(scene.positions.size());
+  scene.positions.insert(scene.positions.end(), {a, b, c});
+  Triangle triangle;
+  triangle.positions = {first, first + 1, first + 2};
+  triangle.material = material;
+  scene.triangles.push_back(triangle);
+}
 
 Material lambert(const std::string& name, const Vec3& base_color, const Vec3& emission) {
   Material material;

@@ -10,6 +10,9 @@ Material lambert(const std::string& name, const Vec3& base_color, const Vec3& em
 // Adds a material and returns its index.
 std::uint32_t add(Scene& scene, const Material& material);
 
+// Counter-clockwise seen from its front.
+void addTriangle(Scene& scene, const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t material);
+
 // Two triangles, counter-clockwise seen from where cross(edge1, edge2) points to.
 void addQuad(Scene& scene, const Vec3& corner, const Vec3& edge1, const Vec3& edge2,
              std::uint32_t material);

@@ -1,5 +1,5 @@
-// The libraries that read files for glimt, compiled here so that the sanitizers see into them: in the
-// shared libraries of the system they would notice only what happens to memory in libc.
+// The libraries that read files for glimt, compiled here so that the sanitizers see into them: in
+// the shared libraries of the system they would notice only what happens to memory in libc.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #include <stb_image.h>
