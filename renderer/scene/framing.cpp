@@ -9,10 +9,29 @@ namespace {
 // Room around the model, as a part of it.
 constexpr float kMargin = 1.05f;
 
-// How far in front of the box a camera stands that just sees its front side.
-float distanceToFill(const Vec3& size, float vertical_fov, float aspect) {
+// A model lies flat that is less high than this part of its width or depth: seen from the front
+// there would be nothing of it.
+constexpr float kFlat = 0.05f;
+
+// How far from a rectangle a camera stands that it just fills the picture of.
+float distanceToFill(float width, float height, float vertical_fov, float aspect) {
   const float half_height = std::tan(glm::radians(0.5f * vertical_fov));
-  return 0.5f * kMargin * std::max(size.y, size.x / aspect) / half_height;
+  return 0.5f * kMargin * std::max(height, width / aspect) / half_height;
+}
+
+// Where a camera looks at the centre from.
+Vec3 viewpoint(const Bounds& bounds, float vertical_fov, float aspect) {
+  const Vec3 size = bounds.size();
+  if (size.y >= kFlat * std::max(size.x, size.z)) {
+    Vec3 position = bounds.center();
+    position.z = bounds.max.z + distanceToFill(size.x, size.y, vertical_fov, aspect);
+    return position;
+  }
+  const float half = std::sqrt(0.5f);
+  const float nearest = 0.5f * half * size.z;
+  const float height = half * (size.z + size.y);
+  return bounds.center() +
+         (nearest + distanceToFill(size.x, height, vertical_fov, aspect)) * Vec3(0, half, half);
 }
 
 }  // namespace
@@ -27,10 +46,8 @@ Camera framed(const Bounds& bounds, float aspect, const CameraSettings& settings
   Camera camera;
   camera.vertical_fov = settings.vertical_fov.value_or(camera.vertical_fov);
   if (!bounds.empty()) {
-    const Vec3 size = bounds.size();
     camera.target = bounds.center();
-    camera.position = camera.target;
-    camera.position.z = bounds.max.z + distanceToFill(size, camera.vertical_fov, aspect);
+    camera.position = viewpoint(bounds, camera.vertical_fov, aspect);
   }
   if (settings.target) {
     const Vec3 target(*settings.target);

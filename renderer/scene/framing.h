@@ -24,8 +24,9 @@ struct CameraSettings {
 Bounds boundsOf(const Scene& scene);
 
 // The model from the front: from the +z side along -z, its box centred and filling a picture of
-// that aspect (width / height). What `settings` says is kept: with a position alone the camera
-// looks at the model's centre, with a target alone it looks there from the front.
+// that aspect (width / height); a model that lies flat from the front and 45 degrees above. What
+// `settings` says is kept: with a position alone the camera looks at the model's centre, with a
+// target alone it looks there from the front.
 Camera framed(const Bounds& bounds, float aspect, const CameraSettings& settings = {});
 
 // `up`, or where it is parallel to the view, another direction that is not: looking down, the top

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "renderer/core/image_file.h"
+#include "renderer/scene/framing.h"
 #include "renderer/scene/load_scene.h"
 #include "tests/unit/expect_error.h"
 #include "tests/unit/temporary_folder.h"
@@ -99,6 +100,19 @@ TEST_CASE("what a scene file does not say about the camera is framed") {
   CHECK(by_target.camera.position.y == 1);
   const Scene narrow = folder.load(R"("render": {"size": [100, 400]})");
   CHECK(narrow.camera.position.z > 3.9f * folder.load("").camera.position.z);
+}
+
+TEST_CASE("a model that lies flat is framed from above, one that stands from the front") {
+  const auto direction = [](const Vec3& size) {
+    Bounds bounds;
+    bounds.include(-0.5f * size);
+    bounds.include(0.5f * size);
+    return glm::normalize(framed(bounds, 1).position);
+  };
+  CHECK(glm::distance(direction({4, 0, 4}), Vec3(0, 1, 1) * std::sqrt(0.5f)) < 1e-6f);
+  CHECK(glm::distance(direction({4, 0.1f, 1}), Vec3(0, 1, 1) * std::sqrt(0.5f)) < 1e-6f);
+  CHECK(direction({4, 4, 0}) == Vec3(0, 0, 1));
+  CHECK(direction({4, 0.4f, 4}) == Vec3(0, 0, 1));
 }
 
 TEST_CASE("looking straight up or down works without saying where up is") {
