@@ -19,6 +19,8 @@ struct RenderOptions {
   PictureOptions picture;
   std::optional<int> samples;     // --spp
   std::optional<double> seconds;  // --time
+  std::optional<double> noise;    // --noise, as a share of 1
+  bool forecast = false;
   Backend backend = Backend::automatic;
   std::filesystem::path shader_folder;  // empty: they are not written
   std::string json;                     // a file, "-" for standard output, empty for none

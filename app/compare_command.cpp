@@ -4,6 +4,7 @@
 #include "app/json_output.h"
 #include "renderer/core/image_difference.h"
 #include "renderer/core/image_file.h"
+#include "renderer/core/wording.h"
 
 namespace glimt {
 namespace {
@@ -16,6 +17,7 @@ Json reportOf(const CompareOptions& options, const Image& image, const ImageDiff
           {"mean_ratio", jsonOf(d.mean_ratio)},
           {"mse", d.mse},
           {"relative_mse", d.relative_mse},
+          {"noise", d.noise},
           {"psnr", d.psnr},  // null, as JSON has no infinity, where the pictures are equal
           {"largest", d.largest}};
 }
@@ -25,9 +27,11 @@ std::string textOf(const ImageDifference& d) {
       "mean ratio  {:.5f} {:.5f} {:.5f}\n"
       "MSE         {:.6g}\n"
       "relMSE      {:.6g}\n"
+      "noise       {}\n"
       "PSNR        {:.2f} dB\n"
       "largest     {:.6g}\n",
-      d.mean_ratio.x, d.mean_ratio.y, d.mean_ratio.z, d.mse, d.relative_mse, d.psnr, d.largest);
+      d.mean_ratio.x, d.mean_ratio.y, d.mean_ratio.z, d.mse, d.relative_mse, percent(d.noise),
+      d.psnr, d.largest);
 }
 
 }  // namespace

@@ -119,7 +119,8 @@ void addPicture(CLI::App& command, PictureOptions& picture) {
 }
 
 void addLimits(CLI::App& command, RenderOptions& options) {
-  add(command, "--spp", "N", "End after N samples per pixel (256, unless --time is given)",
+  add(command, "--spp", "N",
+      "End after N samples per pixel (256, unless --time or --noise is given)",
       [&](const std::string& text) {
         options.samples = static_cast<int>(
             parseInteger("--spp", text, 1, std::numeric_limits<std::int32_t>::max()));
@@ -127,10 +128,9 @@ void addLimits(CLI::App& command, RenderOptions& options) {
   add(command, "--time", "S", "End after S seconds of rendering", [&](const std::string& text) {
     options.seconds = parseNumberBetween("--time", text, 0, 1e9);
   });
-  add(command, "--noise", "PCT", "Not in this version", [](const std::string&) {
-    throw Error(ErrorKind::usage,
-                "--noise is not in this version; end the render with --spp or --time");
-  });
+  add(command, "--noise", "PCT",
+      "End when the noise is below PCT percent of the picture, with 95% confidence",
+      [&](const std::string& text) { options.noise = 0.01 * parsePercent("--noise", text); });
 }
 
 Backend backendNamed(const std::string& name) {
@@ -189,9 +189,14 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       .add_option("-o,--output", options.outputs,
                   "Picture to write, .png .exr .pfm or .hdr; may be given several times")
       ->type_name("FILE")
-      ->allow_extra_args(false)
-      ->required();
+      ->allow_extra_args(false);
   addLimits(command, options);
+  command.add_flag("--forecast", options.forecast,
+                   "Say what noise of 10% to 0.5% takes, and end; no picture is needed");
+  command.callback([&] {
+    if (options.outputs.empty() && !options.forecast)
+      throw Error(ErrorKind::usage, "no picture to write; name one with -o, like -o picture.png");
+  });
   addPicture(command, options.picture);
   addBackend(command, options.backend);
   add(command, "--record", "packed|wide", "How hits are stored (packed)",

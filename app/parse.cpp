@@ -66,6 +66,14 @@ double parseNumberBetween(const std::string& option, const std::string& text, do
   return *value;
 }
 
+double parsePercent(const std::string& option, const std::string& text) {
+  std::string_view number = text;
+  if (number.ends_with('%')) number.remove_suffix(1);
+  const auto value = finiteNumberIn(number);
+  if (!value || *value < 0.001 || *value > 100) reject(option, text, "percent from 0.001 to 100");
+  return *value;
+}
+
 std::array<int, 2> parseSize(const std::string& option, const std::string& text) {
   const std::size_t cross = text.find('x');
   if (cross != std::string::npos) {

@@ -20,6 +20,9 @@ double parseNumber(const std::string& option, const std::string& text);
 double parseNumberBetween(const std::string& option, const std::string& text, double low,
                           double high);
 
+// Percent, from 0.001 to 100, with or without a "%".
+double parsePercent(const std::string& option, const std::string& text);
+
 // "WxH", pixels.
 std::array<int, 2> parseSize(const std::string& option, const std::string& text);
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/commands.h"
+#include "app/forecast.h"
 #include "app/interrupt.h"
 #include "app/message.h"
 #include "app/output_files.h"
@@ -23,6 +24,11 @@ namespace glimt {
 namespace {
 
 constexpr int kDefaultSamples = 256;
+
+// A forecast is made after at least so many samples, and then after so many seconds or samples.
+constexpr int kLeastForForecast = 16;
+constexpr int kMostForForecast = 64;
+constexpr double kSecondsForForecast = 10;
 
 std::string failureOf(const Sampling& sampling) {
   const int saved = sampling.picture.samples;
@@ -45,7 +51,9 @@ class RenderCommand {
   Scene load();
   void writeShaders(const Renderer& renderer) const;
   Renderer makeRenderer(ContextHandle& context, const Scene& scene);
+  Limits limits() const;
   Sampling render(Renderer& renderer);
+  Sampling sampleFor(Renderer& renderer);
   std::string lossesOf(Renderer& renderer) const;
   void writePictures(const Picture& picture, const Scene& scene) const;
   void warn(const std::string& what);
@@ -78,7 +86,8 @@ void RenderCommand::run() {
   report_.total = clock_.seconds();
   writeJson(options_.json, jsonOf(report_));
   if (!sampling.failure.empty()) throw Error(ErrorKind::failed, failureOf(sampling));
-  if (!options_.quiet) sayPlain(summaryOf(report_));
+  if (!report_.forecast.empty() && options_.json != "-") writeOut(textOf(report_.forecast));
+  if (!options_.quiet && !report_.outputs.empty()) sayPlain(summaryOf(report_));
 }
 
 // What does not fit into the device is wrong with the scene's file, as far as its user goes.
@@ -129,11 +138,27 @@ Scene RenderCommand::load() {
   return scene;
 }
 
+Limits RenderCommand::limits() const {
+  Limits limits{options_.samples, options_.seconds, options_.noise};
+  if (!limits.samples && !limits.seconds && !limits.noise) limits.samples = kDefaultSamples;
+  return limits;
+}
+
+Sampling RenderCommand::sampleFor(Renderer& renderer) {
+  if (!options_.forecast) return sampleUntil(renderer, limits(), *interrupt_, progress_);
+  const Sampling least = sampleUntil(renderer, {kLeastForForecast, {}, {}}, *interrupt_, progress_);
+  if (least.ended_by != EndedBy::samples || least.seconds >= kSecondsForForecast) return least;
+  Sampling sampling =
+      sampleUntil(renderer, {kMostForForecast, kSecondsForForecast - least.seconds, {}},
+                  *interrupt_, progress_);
+  sampling.seconds += least.seconds;
+  sampling.first_sample = least.first_sample;
+  return sampling;
+}
+
 Sampling RenderCommand::render(Renderer& renderer) {
-  Limits limits{options_.samples, options_.seconds};
-  if (!limits.samples && !limits.seconds) limits.samples = kDefaultSamples;
   const double before = clock_.seconds();
-  Sampling sampling = sampleUntil(renderer, limits, *interrupt_, progress_);
+  Sampling sampling = sampleFor(renderer);
   progress_.clear();
   if (sampling.samples == 0) endIfInterrupted();
 
@@ -142,7 +167,13 @@ Sampling RenderCommand::render(Renderer& renderer) {
   report_.first_sample = before + sampling.first_sample;
   report_.render = sampling.seconds;
   report_.nonfinite_pixels = sampling.picture.nonfinite_pixels;
-  if (sampling.interrupted) warn("interrupted after " + counted(report_.samples, "sample"));
+  report_.noise = sampling.noise;
+  report_.noise_goal = options_.noise;
+  report_.ended_by = sampling.ended_by;
+  if (options_.forecast && sampling.noise)
+    report_.forecast = forecast(*sampling.noise, sampling.seconds / sampling.samples, before);
+  if (sampling.ended_by == EndedBy::interrupt)
+    warn("interrupted after " + counted(report_.samples, "sample"));
   if (!sampling.failure.empty()) {
     report_.warnings.push_back(failureOf(sampling));
   } else if (report_.nonfinite_pixels > 0) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "renderer/core/wording.h"
@@ -37,6 +38,34 @@ Json raysOf(const RenderReport& report) {
           {"shadow", all(report.statistics.shadow_rays)}};
 }
 
+std::string nameOf(EndedBy limit) {
+  constexpr std::array kNames{"samples", "time", "noise", "interrupt", "failure"};
+  return kNames[static_cast<std::size_t>(limit)];
+}
+
+// What the true noise is below in the share of cases that `confidence` says, and what it is likely
+// to be.
+Json noiseOf(const RenderReport& report) {
+  if (!report.noise) return nullptr;
+  return {{"relative", report.noise->upper},
+          {"confidence", 0.95},
+          {"likely", report.noise->relative},
+          {"low", report.noise->lower},
+          {"exponent", report.noise->exponent}};
+}
+
+// As far as the noise is known.
+std::string noiseText(const RenderReport& report) {
+  if (!report.noise) return "";
+  std::string goal;
+  if (report.noise_goal)
+    goal = fmt::format(", {} {}",
+                       report.noise->upper <= *report.noise_goal ? "which is within" : "not",
+                       percent(*report.noise_goal));
+  return fmt::format(", noise {} (at most {}{})", percent(report.noise->relative),
+                     percent(report.noise->upper), goal);
+}
+
 // The traversal in use and, where it was chosen by a measurement, how much faster it is than the
 // next one.
 std::string traversalOf(const RenderReport& report) {
@@ -57,26 +86,29 @@ std::string traversalOf(const RenderReport& report) {
 }  // namespace
 
 Json jsonOf(const RenderReport& report) {
-  return {{"scene", report.scene.string()},
-          {"width", report.settings.width},
-          {"height", report.settings.height},
-          {"samples", report.samples},
-          {"bounces", report.settings.bounces},
-          {"backend", report.context.backend},
-          {"gl_renderer", report.context.renderer},
-          {"gl_version", report.context.version},
-          {"gles", report.context.gles},
-          {"traversal", report.statistics.traversal},
-          {"traversal_seconds", traversalSecondsOf(report)},
-          {"record", report.settings.record},
-          {"triangles", report.statistics.triangles},
-          {"effects", report.effects},
-          {"seconds", secondsOf(report)},
-          {"rays", raysOf(report)},
-          {"noise", nullptr},
-          {"truncation", nullptr},
-          {"nonfinite_pixels", report.nonfinite_pixels},
-          {"warnings", report.warnings}};
+  Json json = {{"scene", report.scene.string()},
+               {"width", report.settings.width},
+               {"height", report.settings.height},
+               {"samples", report.samples},
+               {"bounces", report.settings.bounces},
+               {"backend", report.context.backend},
+               {"gl_renderer", report.context.renderer},
+               {"gl_version", report.context.version},
+               {"gles", report.context.gles},
+               {"traversal", report.statistics.traversal},
+               {"traversal_seconds", traversalSecondsOf(report)},
+               {"record", report.settings.record},
+               {"triangles", report.statistics.triangles},
+               {"effects", report.effects},
+               {"seconds", secondsOf(report)},
+               {"rays", raysOf(report)},
+               {"noise", noiseOf(report)},
+               {"ended_by", nameOf(report.ended_by)},
+               {"truncation", nullptr},
+               {"nonfinite_pixels", report.nonfinite_pixels},
+               {"warnings", report.warnings}};
+  if (!report.forecast.empty()) json["forecast"] = jsonOf(report.forecast);
+  return json;
 }
 
 std::string warningOf(int nonfinite_pixels, const Losses& last,
@@ -105,9 +137,9 @@ std::string summaryOf(const RenderReport& report) {
   // "llvmpipe (LLVM 15.0.6, 256 bits)" says more than the line has room for.
   const std::string& gl = report.context.renderer;
   const std::string device = gl.substr(0, gl.find(" ("));
-  return fmt::format("{}: {} in {:.1f} s ({:.3g} samples/s), {}, {}, {}", files,
+  return fmt::format("{}: {} in {:.1f} s ({:.3g} samples/s){}, {}, {}, {}", files,
                      counted(report.samples, "sample"), report.render,
-                     report.samples / report.render,
+                     report.samples / report.render, noiseText(report),
                      counted(report.statistics.triangles, "triangle"), traversalOf(report), device);
 }
 

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "app/forecast.h"
 #include "app/json_output.h"
+#include "app/sampling.h"
 #include "renderer/renderer.h"
 
 namespace glimt {
@@ -20,6 +22,10 @@ struct RenderReport {
   std::vector<std::string> effects;  // those that are on
   int samples = 0;
   int nonfinite_pixels = 0;
+  std::optional<NoiseEstimate> noise;
+  std::optional<double> noise_goal;
+  EndedBy ended_by = EndedBy::samples;
+  std::vector<ForecastRow> forecast;  // where it was asked for
   // Seconds. `first_sample` is how long after the start the first sample was complete; `total` is
   // the whole command, from the start until the pictures were written.
   double load = 0;

@@ -10,6 +10,7 @@
 
 #include "app/safe_picture.h"
 #include "app/stopwatch.h"
+#include "renderer/core/wording.h"
 
 namespace glimt {
 namespace {
@@ -19,29 +20,37 @@ constexpr double kChunk = 0.1;
 
 constexpr int kUnlimited = std::numeric_limits<int>::max();
 
-bool met(const Limits& limits, const Sampling& done) {
-  return done.samples > 0 && ((limits.samples && done.samples >= *limits.samples) ||
-                              (limits.seconds && done.seconds >= *limits.seconds));
+std::optional<EndedBy> limitMet(const Limits& limits, const Sampling& done) {
+  if (done.samples == 0) return std::nullopt;
+  if (limits.samples && done.samples >= *limits.samples) return EndedBy::samples;
+  if (limits.seconds && done.seconds >= *limits.seconds) return EndedBy::time;
+  if (limits.noise && done.noise && done.noise->upper <= *limits.noise) return EndedBy::noise;
+  return std::nullopt;
 }
 
-double secondsLeft(const Limits& limits, const Sampling& done) {
-  double left = std::numeric_limits<double>::infinity();
-  if (limits.samples) left = (*limits.samples - done.samples) * done.seconds / done.samples;
-  if (limits.seconds) left = std::min(left, *limits.seconds - done.seconds);
-  return std::max(left, 0.0);
-}
-
-std::string duration(double seconds) {
-  if (seconds < 100) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 100 * 60) return fmt::format("{:.0f} min", seconds / 60);
-  return fmt::format("{:.1f} h", seconds / 3600);
+// Nothing where only the noise ends the render and is not known yet.
+std::optional<double> secondsLeft(const Limits& limits, const Sampling& done) {
+  std::optional<double> left;
+  const auto atMost = [&](double seconds) {
+    left = std::max(std::min(left.value_or(seconds), seconds), 0.0);
+  };
+  const double of_sample = done.seconds / done.samples;
+  if (limits.samples) atMost((*limits.samples - done.samples) * of_sample);
+  if (limits.seconds) atMost(*limits.seconds - done.seconds);
+  if (limits.noise && done.noise)
+    atMost((done.noise->samplesFor(*limits.noise) - done.samples) * of_sample);
+  return left;
 }
 
 std::string describe(const Limits& limits, const Sampling& done) {
   if (done.samples == 0) return fmt::format("first sample, {}", duration(done.seconds));
-  const std::string goal = limits.samples ? fmt::format(" of {}", *limits.samples) : "";
-  return fmt::format("{}{} samples, {:.3g} samples/s, {} left", done.samples, goal,
-                     done.samples / done.seconds, duration(secondsLeft(limits, done)));
+  std::string line = fmt::format("{}{} samples, {:.3g} samples/s", done.samples,
+                                 limits.samples ? fmt::format(" of {}", *limits.samples) : "",
+                                 done.samples / done.seconds);
+  if (done.noise) line += ", noise " + percent(done.noise->relative);
+  if (limits.noise) line += " of " + percent(*limits.noise);
+  const std::optional<double> left = secondsLeft(limits, done);
+  return left ? fmt::format("{}, {} left", line, duration(*left)) : line;
 }
 
 std::string describe(const std::exception& error) {
@@ -52,18 +61,25 @@ std::string describe(const std::exception& error) {
 void sample(Renderer& renderer, const Limits& limits, const Interrupt& interrupt,
             Progress& progress, SafePicture& safe, Sampling& done) {
   const Stopwatch clock;
-  while (!met(limits, done)) {
-    done.interrupted = interrupt.requested();
-    if (done.interrupted) break;
+  std::optional<EndedBy> end;
+  while (!end) {
+    if (interrupt.requested()) {
+      end = EndedBy::interrupt;
+      break;
+    }
     // The first sample is timed by itself.
     renderer.advance(kChunk, done.samples == 0 ? 1 : limits.samples.value_or(kUnlimited));
     done.seconds = clock.seconds();
     if (done.samples == 0) done.first_sample = done.seconds;
     done.samples = renderer.samples();
+    done.noise = renderer.noise();
+    end = limitMet(limits, done);
     if (progress.due()) progress.show(describe(limits, done));
     safe.keepWhenDue();
   }
+  done.ended_by = *end;
   safe.keep();
+  done.noise = renderer.noiseNow();
 }
 
 }  // namespace
@@ -78,6 +94,7 @@ Sampling sampleUntil(Renderer& renderer, const Limits& limits, const Interrupt& 
     safe.rescue();
     if (safe.get().samples == 0) throw;
     done.samples = renderer.samples();
+    done.ended_by = EndedBy::failure;
     done.failure = describe(error);
   }
   done.picture = safe.get();

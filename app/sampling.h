@@ -14,13 +14,17 @@ namespace glimt {
 struct Limits {
   std::optional<int> samples;
   std::optional<double> seconds;
+  std::optional<double> noise;  // as NoiseEstimate::upper
 };
 
+enum class EndedBy { samples, time, noise, interrupt, failure };
+
 struct Sampling {
-  int samples = 0;          // that were completed
-  double seconds = 0;       // spent sampling
-  double first_sample = 0;  // of them, until the first sample was complete
-  bool interrupted = false;
+  int samples = 0;                     // that were completed
+  double seconds = 0;                  // spent sampling
+  double first_sample = 0;             // of them, until the first sample was complete
+  std::optional<NoiseEstimate> noise;  // of the picture, where that is known
+  EndedBy ended_by = EndedBy::samples;
   std::string failure;  // what went wrong and ended the sampling; empty for nothing
   Picture picture;      // of all the samples, or after a failure of as many as there are left
 };

@@ -11,6 +11,7 @@
 #include "renderer/gl/context.h"
 #include "renderer/gl/errors.h"
 #include "renderer/gl/float_target.h"
+#include "renderer/passes/noise_meter.h"
 #include "renderer/passes/path_tracer.h"
 #include "renderer/passes/traversal_trial.h"
 #include "renderer/probes/loop_turns.h"
@@ -68,8 +69,10 @@ class Renderer::State {
         triangles(scene.triangles.size()),
         tracer(device, scene,
                {settings.bounces, settings.seed, settings.traversal, settings.record}, progress),
-        trial(tracer.candidates()) {
+        trial(tracer.candidates()),
+        noise(device) {
     tracer.resize(settings.width, settings.height);
+    restart();
   }
 
   // Draws a tile, and learns from the time it took how large the next of its pass may be.
@@ -90,6 +93,7 @@ class Renderer::State {
     trial.restart();
     tracer.use(trial.traversal());
     sample_seconds_ = 0;
+    noise.restart(tracer.film().width(), tracer.film().height());
   }
 
   void drawDisplay(int width, int height, float exposure, Tone tone) {
@@ -121,12 +125,14 @@ class Renderer::State {
   std::size_t triangles;
   PathTracer tracer;
   TraversalTrial trial;
+  NoiseMeter noise;
 
  private:
   void endSample() {
     trial.add(sample_seconds_);
     tracer.use(trial.traversal());
     sample_seconds_ = 0;
+    noise.endSample(tracer.accumulation(), tracer.samples());
   }
 
   // A sample that the failing draw completed is not complete.
@@ -202,6 +208,14 @@ Picture Renderer::picture() {
   return picture;
 }
 
+std::optional<NoiseEstimate> Renderer::noise() {
+  return state_->noise.measureWhenDue(state_->tracer.accumulation(), samples());
+}
+
+std::optional<NoiseEstimate> Renderer::noiseNow() {
+  return state_->noise.measure(state_->tracer.accumulation(), samples());
+}
+
 Image Renderer::radiance() {
   return picture().radiance;
 }
@@ -267,6 +281,7 @@ RenderStatistics Renderer::statistics() const {
   statistics.camera_rays = tracer.rays().camera;
   statistics.bounce_rays = tracer.rays().bounce;
   statistics.shadow_rays = tracer.rays().shadow;
+  statistics.noise_seconds = state_->noise.seconds();
   return statistics;
 }
 

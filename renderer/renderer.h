@@ -13,6 +13,7 @@
 
 #include "renderer/core/context_info.h"
 #include "renderer/core/image.h"
+#include "renderer/core/noise_estimate.h"
 #include "renderer/core/tone.h"
 #include "renderer/core/traversal_time.h"
 #include "renderer/core/work_progress.h"
@@ -78,6 +79,7 @@ struct RenderStatistics {
   double camera_rays = 0;
   double bounce_rays = 0;
   double shadow_rays = 0;
+  double noise_seconds = 0;  // spent on measuring the noise
 };
 
 // Pixels that are left out of the mean.
@@ -127,6 +129,12 @@ class Renderer {
   // The complete samples so far. Errors: failed, when the context is lost.
   Picture picture();
   Image radiance();  // of it
+
+  // How wrong the picture still is by chance; nothing before it has 8 samples. noise() measures at
+  // most so often that it takes a hundredth of the time, and may be of some samples ago. noiseNow()
+  // is of this picture. Errors: failed, when the context is lost.
+  std::optional<NoiseEstimate> noise();
+  std::optional<NoiseEstimate> noiseNow();
 
   // Pixels that have lost a sample to a value that was not finite, or to a traversal cut short.
   int nonfinitePixels();

@@ -101,5 +101,11 @@
 // seldom, few enough that the sum is exact to 3e-6. See sample_mean.glsl.
 #define SAMPLES_PER_BLOCK 128
 
+// Side of the squares of pixels over which changes of the picture are summed; see change.glsl.
+#define CHANGE_SQUARE 8
+
+// Sequences of sample points in a picture; see sample_points.glsl.
+#define POINT_GROUPS 4
+
 // Side of the square texture of sampling offsets, which is repeated over the picture.
 #define OFFSETS_SIZE 256.0

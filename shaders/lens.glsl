@@ -4,7 +4,7 @@ uniform vec3 uLensRight;       // from its centre to its edge
 uniform vec3 uLensUp;
 uniform float uLensBlades;     // corners; 0: it is round
 uniform float uFocusDistance;  // along uCameraForward
-uniform vec4 uLensPoint;       // the sample point of its own set of dimensions
+uniform vec4 uLensPoint[POINT_GROUPS];  // the sample points of its own set of dimensions
 uniform vec4 uLensOffsetsShift;
 
 // Uniform on a regular polygon with a corner at the top: one of its triangles, and a point in that.
@@ -18,7 +18,9 @@ vec2 samplePolygon(vec2 random, float corners) {
 
 // From the centre of the lens.
 vec3 lensPoint(vec2 pixel) {
-  vec2 random = shiftedPoint(pixel, uLensPoint, uLensOffsetsShift).xy;
+  vec4 point =
+      ownPoint(pixel, uLensPoint[0], uLensPoint[1], uLensPoint[2], uLensPoint[3]);
+  vec2 random = shiftedPoint(pixel, point, uLensOffsetsShift).xy;
   vec2 p = uLensBlades > 2.5 ? samplePolygon(random, uLensBlades) : sampleDisk(random);
   return p.x * uLensRight + p.y * uLensUp;
 }

@@ -1,9 +1,11 @@
 // Low-discrepancy points without integers: the CPU computes the point of this sample and these
 // dimensions, and every pixel shifts it, modulo one, by an offset of its own (Cranley and Patterson
 // 1976). uOffsets is a square of random offsets that is repeated over the picture; each repetition
-// is read from another place in it, and so is each set of dimensions.
+// is read from another place in it, and so is each set of dimensions. The four pixels of every
+// square of two by two take a point each, of sequences that are scrambled differently: how well a
+// sequence happens to be scrambled would else show in the whole picture at once.
 uniform sampler2D uOffsets;
-uniform vec4 uPoint;
+uniform vec4 uPoint[POINT_GROUPS];
 uniform vec4 uOffsetsShift;  // where these dimensions begin; how far repetitions are moved
 
 vec4 shiftedPoint(vec2 pixel, vec4 point, vec4 offsets_shift) {
@@ -12,8 +14,15 @@ vec4 shiftedPoint(vec2 pixel, vec4 point, vec4 offsets_shift) {
   return fract(point + texture2D(uOffsets, at * (1.0 / OFFSETS_SIZE)));
 }
 
+// Of the points of the four groups, a pixel's own.
+vec4 ownPoint(vec2 pixel, vec4 first, vec4 second, vec4 third, vec4 fourth) {
+  vec2 odd = mod(floor(pixel), 2.0);
+  return mix(mix(first, second, odd.x), mix(third, fourth, odd.x), odd.y);
+}
+
 vec4 samplePoint(vec2 pixel) {
-  return shiftedPoint(pixel, uPoint, uOffsetsShift);
+  vec4 point = ownPoint(pixel, uPoint[0], uPoint[1], uPoint[2], uPoint[3]);
+  return shiftedPoint(pixel, point, uOffsetsShift);
 }
 
 // More numbers from one, for rounding only: what is below its first twelve bits.

@@ -11,19 +11,20 @@ namespace glimt {
 namespace {
 
 // Points of the light samples at each surface, and of the directions in which paths leave it.
-constexpr const char* kPoints = R"(
-uniform vec4 uLightPoints[SURFACES];
-uniform vec4 uLightShifts[SURFACES];
-uniform vec4 uScatterPoints[SURFACES];
-uniform vec4 uScatterShifts[SURFACES];
-)";
+constexpr const char* kPoints =
+    "uniform vec4 uLightPoints[POINT_GROUPS * SURFACES];\n"
+    "uniform vec4 uLightShifts[SURFACES];\n"
+    "uniform vec4 uScatterPoints[POINT_GROUPS * SURFACES];\n"
+    "uniform vec4 uScatterShifts[SURFACES];\n"
+    "#define OWN(points, i) ownPoint(pixel, points[4 * (i)], points[4 * (i) + 1], "
+    "points[4 * (i) + 2], points[4 * (i) + 3])\n"
+    "#define POINT(points, shifts, i) shiftedPoint(pixel, OWN(points, i), shifts[i])\n";
 
 constexpr const char* kLoopBody = R"(
   for (int i = 0; i < SURFACES; i++) {
-    vec4 light = shiftedPoint(pixel, uLightPoints[i], uLightShifts[i]);
-    meetSurface(path, light, i == 0, i == SURFACES - 1);
+    meetSurface(path, POINT(uLightPoints, uLightShifts, i), i == 0, i == SURFACES - 1);
     if (path.ended || i == SURFACES - 1) break;
-    scatterPath(path, shiftedPoint(pixel, uScatterPoints[i], uScatterShifts[i]));
+    scatterPath(path, POINT(uScatterPoints, uScatterShifts, i));
   }
 )";
 
@@ -31,14 +32,10 @@ std::string unrolledBody(int surfaces) {
   std::string text;
   for (int i = 0; i < surfaces; ++i) {
     const bool last = i == surfaces - 1;
-    text += fmt::format(
-        "  meetSurface(path, shiftedPoint(pixel, uLightPoints[{0}], uLightShifts[{0}]), {1}, "
-        "{2});\n",
-        i, i == 0, last);
+    text += fmt::format("  meetSurface(path, POINT(uLightPoints, uLightShifts, {}), {}, {});\n", i,
+                        i == 0, last);
     if (!last)
-      text += fmt::format(
-          "  scatterPath(path, shiftedPoint(pixel, uScatterPoints[{0}], uScatterShifts[{0}]));\n",
-          i);
+      text += fmt::format("  scatterPath(path, POINT(uScatterPoints, uScatterShifts, {}));\n", i);
   }
   return text;
 }
@@ -83,14 +80,15 @@ void WholePathTracer::drawSample() {
 }
 
 void WholePathTracer::bindSamplePoints() {
-  const auto bind = [this](const std::string& point, const std::string& shift, std::uint32_t set) {
-    paths_.set(point, points_.point(samples_, set));
-    paths_.set(shift, points_.offsetsShift(set));
+  const auto bind = [this](const char* points, int i, const char* shifts, std::uint32_t set) {
+    points_.bindPoints(paths_, points, samples_, set, static_cast<std::uint32_t>(i));
+    paths_.set(fmt::format("{}[{}]", shifts, i), points_.offsetsShift(set));
   };
-  bind("uPoint", "uOffsetsShift", raySet(0));
+  points_.bindPoints(paths_, "uPoint", samples_, raySet(0));
+  paths_.set("uOffsetsShift", points_.offsetsShift(raySet(0)));
   for (int i = 0; i < surfaces_; ++i) {
-    bind(fmt::format("uLightPoints[{}]", i), fmt::format("uLightShifts[{}]", i), lightSet(i));
-    bind(fmt::format("uScatterPoints[{}]", i), fmt::format("uScatterShifts[{}]", i), raySet(i + 1));
+    bind("uLightPoints", i, "uLightShifts", lightSet(i));
+    bind("uScatterPoints", i, "uScatterShifts", raySet(i + 1));
   }
   paths_.set("uOffsets", offsets_);
 }

@@ -28,6 +28,26 @@ float ratio(double image, double reference) {
   return image == reference ? 1.0f : static_cast<float>(image / reference);
 }
 
+// Rec. 709.
+double luminance(const Vec3& radiance) {
+  return glm::dot(glm::dvec3(radiance), glm::dvec3(0.2126, 0.7152, 0.0722));
+}
+
+// See NoiseEstimate.
+double noiseOf(const Image& image, const Image& reference) {
+  const auto count = static_cast<double>(reference.pixels.size());
+  double sum = 0;
+  for (const Vec3& truth : reference.pixels) sum += luminance(truth);
+  const double floor = 0.25 * sum / count;
+  double squares = 0;
+  for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
+    const double truth = luminance(reference.pixels[i]);
+    const double difference = luminance(image.pixels[i]) - truth;
+    if (difference != 0) squares += difference * difference / (truth * truth + floor * floor);
+  }
+  return std::sqrt(squares / count);
+}
+
 }  // namespace
 
 ImageDifference differenceOf(const Image& image, const Image& reference) {
@@ -41,6 +61,7 @@ ImageDifference differenceOf(const Image& image, const Image& reference) {
   demandFinite(reference, "reference");
 
   ImageDifference out;
+  out.noise = noiseOf(image, reference);
   glm::dvec3 image_sum{0};
   glm::dvec3 reference_sum{0};
   double square_sum = 0;

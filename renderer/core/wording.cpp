@@ -40,6 +40,18 @@ std::string counted(std::uintmax_t number, std::string_view noun) {
   return fmt::format("{} {}{}", grouped(number), noun, number == 1 ? "" : "s");
 }
 
+std::string duration(double seconds) {
+  if (seconds < 100) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 100 * 60) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+std::string percent(double share) {
+  const double value = 100 * share;
+  if (value >= 9.95) return fmt::format("{:.0f}%", value);
+  return fmt::format("{:.{}f}%", value, value >= 0.995 ? 1 : 2);
+}
+
 std::string printable(std::string_view text) {
   std::string out(text.substr(0, kLongestText));
   for (char& c : out) {

@@ -14,6 +14,12 @@ std::string grouped(std::uintmax_t number);
 // "1 triangle", "2 triangles", "1,234 triangles".
 std::string counted(std::uintmax_t number, std::string_view noun);
 
+// "12 s", "3 min", "4.5 h".
+std::string duration(double seconds);
+
+// A share of 1: 0.123 as "12%", 0.0123 as "1.2%".
+std::string percent(double share);
+
 // Fit for one line on a terminal: control characters become '?', and long text is cut.
 std::string printable(std::string_view text);
 

@@ -289,11 +289,11 @@ void PathTracer::countRays(const Stage& stage) {
 void PathTracer::bindSamplePoint(gl::Program& program, const Stage& stage) const {
   const std::uint32_t set =
       stage.pass == Pass::light ? lightSet(stage.bounce) : raySet(stage.bounce);
-  program.set("uPoint", points_.point(static_cast<std::uint32_t>(samples_), set));
+  points_.bindPoints(program, "uPoint", static_cast<std::uint32_t>(samples_), set);
   program.set("uOffsetsShift", points_.offsetsShift(set));
   program.set("uOffsets", offsets_);
   if (stage.pass != Pass::camera) return;
-  program.set("uLensPoint", points_.point(static_cast<std::uint32_t>(samples_), kLensSet));
+  points_.bindPoints(program, "uLensPoint", static_cast<std::uint32_t>(samples_), kLensSet);
   program.set("uLensOffsetsShift", points_.offsetsShift(kLensSet));
 }
 

@@ -1,5 +1,7 @@
 #include "renderer/passes/sample_points.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <vector>
 
@@ -89,8 +91,8 @@ float toUnit(std::uint32_t x) {
 
 }  // namespace
 
-Vec4 SamplePoints::point(std::uint32_t sample, std::uint32_t set) const {
-  const std::uint32_t set_seed = hash(seed_, set);
+Vec4 SamplePoints::point(std::uint32_t sample, std::uint32_t set, std::uint32_t group) const {
+  const std::uint32_t set_seed = hash(hash(seed_, set), group);
   // Scrambling an index shuffles each aligned block of 2^k of them among themselves, so the first
   // 2^k points remain a net.
   const std::uint32_t index = scramble(sample, set_seed);
@@ -99,6 +101,13 @@ Vec4 SamplePoints::point(std::uint32_t sample, std::uint32_t set) const {
     point[static_cast<int>(d)] =
         toUnit(scramble(sobol(index, d), hash(set_seed, static_cast<std::uint32_t>(d) + 1)));
   return point;
+}
+
+void SamplePoints::bindPoints(gl::Program& program, const std::string& array, std::uint32_t sample,
+                              std::uint32_t set, std::uint32_t place) const {
+  for (std::uint32_t group = 0; group < POINT_GROUPS; ++group)
+    program.set(fmt::format("{}[{}]", array, POINT_GROUPS * place + group),
+                point(sample, set, group));
 }
 
 Vec4 SamplePoints::offsetsShift(std::uint32_t set) const {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "renderer/core/vector.h"
 #include "renderer/gl/device.h"
+#include "renderer/gl/program.h"
 
 namespace glimt {
 
@@ -27,8 +29,14 @@ class SamplePoints {
  public:
   explicit SamplePoints(std::uint32_t seed) : seed_(seed) {}
 
-  // In [0, 1)^4, each coordinate a multiple of 2^-23.
-  Vec4 point(std::uint32_t sample, std::uint32_t set) const;
+  // In [0, 1)^4, each coordinate a multiple of 2^-23. `group` says which of POINT_GROUPS sequences
+  // it is of, that are scrambled independently of each other.
+  Vec4 point(std::uint32_t sample, std::uint32_t set, std::uint32_t group = 0) const;
+
+  // Hands the points of all groups to a program's array of that name, which holds those of several
+  // sets behind each other: as its `place`th.
+  void bindPoints(gl::Program& program, const std::string& array, std::uint32_t sample,
+                  std::uint32_t set, std::uint32_t place = 0) const;
 
   // In whole texels of the offsets: where this set begins, and how far repetitions are moved; see
   // shaders/sample_points.glsl.

@@ -27,7 +27,9 @@ constexpr unsigned kLight = bit(Pass::light);
 constexpr unsigned kWholePath = bit(Pass::display) << 1;  // no pass; see composePathProbe
 constexpr unsigned kPaths = kCamera | kTrace | kLight | kWholePath;
 constexpr unsigned kBounces = kTrace | kLight | kWholePath;  // start from a hit record
-constexpr unsigned kMeans = bit(Pass::accumulate) | bit(Pass::close_block) | bit(Pass::display);
+constexpr unsigned kNoise = bit(Pass::keep) | bit(Pass::change);
+constexpr unsigned kMeans =
+    bit(Pass::accumulate) | bit(Pass::close_block) | kNoise | bit(Pass::display);
 constexpr unsigned kArrivals = kLight | kWholePath;  // ask for the light at a hit
 
 // When a file is part of a shader: where the scene calls for one of some effects, and for none of
@@ -84,8 +86,8 @@ constexpr const char* kTone = "tone_*.glsl";
 
 // In the order in which they are put together: a file comes after those that it calls.
 const auto kPieces = std::to_array<Piece>({
-    {"layout.h", kPaths, {}},
-    {"picture.glsl", kPaths | kEscape | bit(Pass::accumulate) | bit(Pass::close_block), {}},
+    {"layout.h", kPaths | bit(Pass::change), {}},
+    {"picture.glsl", kPaths | kEscape | bit(Pass::accumulate) | bit(Pass::close_block) | kNoise, {}},
     {"constants.glsl", kPaths | kEscape, {}},
     {"sample_points.glsl", kPaths, {}},
     {"float_fields.glsl", kPaths | kEscape, {}},
@@ -162,6 +164,9 @@ const auto kPieces = std::to_array<Piece>({
     {"sample_mean.glsl", kMeans, {}},
     {"accumulate.glsl", bit(Pass::accumulate), {}},
     {"close_block.glsl", bit(Pass::close_block), {}},
+    {"luminance.glsl", kNoise, {}},
+    {"keep_luminance.glsl", bit(Pass::keep), {}},
+    {"change.glsl", bit(Pass::change), {}},
     {"display_transform.glsl", bit(Pass::display), {}},
     {kTone, bit(Pass::display), {}},
     {"display.glsl", bit(Pass::display), {}},
@@ -243,7 +248,8 @@ std::string pieces(unsigned pass, const EffectSet& effects, const std::string& t
 
 std::string nameOf(Pass pass) {
   constexpr std::array kNames{"camera",     "trace",       "escape", "light",
-                              "accumulate", "close block", "display"};
+                              "accumulate", "close block",
+                              "keep",       "change",      "display"};
   return kNames[static_cast<std::size_t>(pass)];
 }
 

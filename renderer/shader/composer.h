@@ -17,9 +17,11 @@ enum class Pass {
   light,        // hit record on a surface -> radiance
   accumulate,   // radiance -> sum of a block of samples
   close_block,  // sum of a block -> mean
+  keep,         // mean -> its luminance, kept
+  change,       // mean and what was kept -> by how much it has changed
   display,      // mean -> display values
 };
-inline constexpr std::size_t kPassCount = 7;
+inline constexpr std::size_t kPassCount = 9;
 
 struct ShaderRequest {
   Pass pass = Pass::display;
@@ -41,7 +43,7 @@ std::string composeVertexShader(int gles = 2);
 // Errors: usage, for a traversal or a record that does not exist.
 std::string composeFragmentShader(const ShaderRequest& request);
 
-// The same for a pass that depends on nothing but itself: accumulate, close_block, display.
+// The same for a pass that depends on nothing but itself: accumulate, close_block, keep, change, display.
 std::string composeFragmentShader(Pass pass);
 
 // A fragment shader from the prelude, the named files and some text of the caller's own: for probes

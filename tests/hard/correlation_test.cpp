@@ -69,7 +69,7 @@ class PointPicture {
   std::vector<Numbers> draw(std::uint32_t sample, std::uint32_t set) {
     program_.use();
     program_.set("uZero", Vec4(0));
-    program_.set("uPoint", points_.point(sample, set));
+    points_.bindPoints(program_, "uPoint", sample, set);
     program_.set("uOffsetsShift", points_.offsetsShift(set));
     program_.set("uOffsets", offsets_);
     target_.bind();

@@ -24,6 +24,7 @@ TEST_CASE("a picture does not differ from itself") {
   CHECK(d.relative_mse == 0);
   CHECK(std::isinf(d.psnr));
   CHECK(d.largest == 0);
+  CHECK(d.noise == 0);
 }
 
 TEST_CASE("the difference of two known pictures is as computed by hand") {
@@ -37,6 +38,11 @@ TEST_CASE("the difference of two known pictures is as computed by hand") {
   CHECK(d.relative_mse == Approx((0.25 / 1.01 + 4.0 / 9.01) / 6));
   CHECK(d.psnr == Approx(10 * std::log10(9.0 / d.mse)));
   CHECK(d.largest == Approx(2));
+  // Of luminances 1 and 1.1444, that differ by 0.1063 and 0.1444.
+  const double floor = (1 + 1.1444) / 8;
+  CHECK(d.noise ==
+        Approx(std::sqrt(0.5 * (std::pow(0.1063, 2) / (1 + floor * floor) +
+                                std::pow(0.1444, 2) / (std::pow(1.1444, 2) + floor * floor)))));
 }
 
 TEST_CASE("black pictures are equal, and a black reference makes the ratio infinite") {

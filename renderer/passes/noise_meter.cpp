@@ -1,0 +1,121 @@
+#include "renderer/passes/noise_meter.h"
+
+#include <bit>
+#include <chrono>
+
+#include "renderer/shader/composer.h"
+#include "shaders/layout.h"
+
+namespace glimt {
+namespace {
+
+// At least this many times the duration of a measurement is between two of them.
+constexpr double kRest = 100;
+
+constexpr int kFirstKept = Noise::kFirst / 2;
+
+// Of the mean luminance: see NoiseEstimate.
+constexpr double kFloor = 0.25;
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+gl::Program makeProgram(const gl::Device& device, Pass pass) {
+  return {device.gl(), nameOf(pass), composeVertexShader(), composeFragmentShader(pass)};
+}
+
+int squares(int pixels) {
+  return (pixels + CHANGE_SQUARE - 1) / CHANGE_SQUARE;
+}
+
+}  // namespace
+
+void NoiseMeter::restart(int width, int height) {
+  if (width != width_ || height != height_) kept_ = TargetPair();
+  width_ = width;
+  height_ = height;
+  last_ = 0;
+  noise_ = Noise();
+  estimate_.reset();
+  seconds_ = 0;
+  next_ = 0;
+}
+
+// A preview that begins again and again at every move of the camera needs none of it.
+void NoiseMeter::prepare() {
+  if (!keep_) {
+    keep_.emplace(makeProgram(*device_, Pass::keep));
+    change_.emplace(makeProgram(*device_, Pass::change));
+  }
+  if (kept_.front().width() > 0) return;
+  kept_ = TargetPair(*device_, width_, height_);
+  sums_ = gl::Target(
+      gl::Texture::floats(device_->gl(), device_->floatForm(), squares(width_), squares(height_)));
+}
+
+void NoiseMeter::use(gl::Program& program, const Accumulation& accumulation) const {
+  program.use();
+  program.set("uZero", Vec4(0));
+  program.set("uPictureStep", 1.0f / Vec2(width_, height_));
+  accumulation.bind(program);
+  program.set("uKept", kept_.front().texture());
+}
+
+void NoiseMeter::keep(const Accumulation& accumulation) {
+  use(*keep_, accumulation);
+  kept_.back().bind();
+  device_->draw({0, 0, width_, height_});
+  kept_.swap();
+}
+
+ChangeSums NoiseMeter::readChange(const Accumulation& accumulation, bool last) {
+  use(*change_, accumulation);
+  change_->set("uSinceLast", last ? 1.0f : 0.0f);
+  change_->set("uFloor", static_cast<float>(floor_));
+  sums_.bind();
+  device_->draw({0, 0, sums_.width(), sums_.height()});
+  glm::dvec4 sums(0);
+  for (const Vec4& texel : sums_.readFloats()) sums += glm::dvec4(texel);
+  return {sums.x, sums.y, sums.z, sums.w, static_cast<double>(width_) * height_};
+}
+
+// The floor is of the time before: the mean luminance hardly changes.
+ChangeSums NoiseMeter::changeSince(const Accumulation& accumulation, bool last) {
+  const double start = now();
+  if (floor_ == 0) {
+    const ChangeSums sums = readChange(accumulation, last);
+    floor_ = kFloor * sums.luminance / sums.pixels;
+  }
+  const ChangeSums sums = readChange(accumulation, last);
+  floor_ = kFloor * sums.luminance / sums.pixels;
+  const double end = now();
+  seconds_ += end - start;
+  next_ = end + kRest * (end - start);
+  return sums;
+}
+
+void NoiseMeter::endSample(const Accumulation& accumulation, int samples) {
+  if (samples < kFirstKept || !std::has_single_bit(static_cast<unsigned>(samples))) return;
+  prepare();
+  if (samples >= Noise::kFirst) {
+    const ChangeSums sums = changeSince(accumulation, true);
+    if (samples >= 2 * Noise::kFirst) noise_.doubled(sums);
+    estimate_ = noise_.estimate(sums, samples, last_);
+  }
+  keep(accumulation);
+  last_ = samples;
+}
+
+std::optional<NoiseEstimate> NoiseMeter::measure(const Accumulation& accumulation, int samples) {
+  if (estimate_ && samples > estimate_->samples)
+    estimate_ = noise_.estimate(changeSince(accumulation, false), samples, last_ / 2);
+  return estimate_;
+}
+
+std::optional<NoiseEstimate> NoiseMeter::measureWhenDue(const Accumulation& accumulation,
+                                                        int samples) {
+  return now() < next_ ? estimate_ : measure(accumulation, samples);
+}
+
+}  // namespace glimt

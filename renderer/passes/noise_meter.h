@@ -1,0 +1,58 @@
+// Measures the noise of a picture while it is made.
+#pragma once
+
+#include <optional>
+
+#include "renderer/gl/device.h"
+#include "renderer/gl/program.h"
+#include "renderer/passes/accumulation.h"
+#include "renderer/passes/film.h"
+#include "renderer/passes/noise.h"
+
+namespace glimt {
+
+// Keeps the picture's luminance at the last two powers of two of samples, and reads back sums over
+// squares of pixels. Compiles its programs when the first is needed.
+class NoiseMeter {
+ public:
+  explicit NoiseMeter(const gl::Device& device) : device_(&device) {}
+
+  // Another picture begins. Errors: as TargetPair.
+  void restart(int width, int height);
+
+  // After each complete sample. Draws at powers of two only.
+  void endSample(const Accumulation& accumulation, int samples);
+
+  // Nothing before Noise::kFirst samples. Pixels that a sample under way has been added to already
+  // count with it.
+  std::optional<NoiseEstimate> measure(const Accumulation& accumulation, int samples);
+
+  // The same, at most so often that it takes a hundredth of the time: else what it was then.
+  std::optional<NoiseEstimate> measureWhenDue(const Accumulation& accumulation, int samples);
+
+  // Seconds spent on it, for this picture.
+  double seconds() const { return seconds_; }
+
+ private:
+  void prepare();
+  void keep(const Accumulation& accumulation);
+  ChangeSums changeSince(const Accumulation& accumulation, bool last);
+  ChangeSums readChange(const Accumulation& accumulation, bool last);
+  void use(gl::Program& program, const Accumulation& accumulation) const;
+
+  const gl::Device* device_;
+  std::optional<gl::Program> keep_;
+  std::optional<gl::Program> change_;
+  TargetPair kept_;
+  gl::Target sums_;
+  int width_ = 0;
+  int height_ = 0;
+  int last_ = 0;  // samples when the luminance was kept
+  double floor_ = 0;
+  Noise noise_;
+  std::optional<NoiseEstimate> estimate_;
+  double seconds_ = 0;
+  double next_ = 0;  // when the next measurement may be
+};
+
+}  // namespace glimt
