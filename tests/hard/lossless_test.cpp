@@ -15,6 +15,9 @@ using namespace glimt::test;
 
 namespace {
 
+// Fewer pixels or samples would be too noisy for the bounds, so slow drivers take their time.
+constexpr int kSize = 32;
+
 Scene closedBall(const LosslessBsdf& bsdf) {
   Scene scene;
   addSphere(scene, 1, 3, add(scene, bsdf.material(1)));
@@ -32,17 +35,13 @@ Scene ballOutside(const LosslessBsdf& bsdf) {
   return scene;
 }
 
-int pictureSize() {
-  return slowDriver() ? 16 : 32;
-}
-
 double closedError(const Scene& scene, int bounces, int samples) {
-  const Image image = hardPicture(scene, settingsFor(pictureSize(), bounces), samples);
+  const Image image = hardPicture(scene, settingsFor(kSize, bounces), samples);
   return relativeError(meanRadiance(image), furnaceRadiance(1, bounces));
 }
 
 double outsideError(const Scene& scene) {
-  const Image image = hardPicture(scene, settingsFor(pictureSize(), 64), slowDriver() ? 16 : 64);
+  const Image image = hardPicture(scene, settingsFor(kSize, 64), 64);
   return relativeError(meanRadiance(image), 1);
 }
 
@@ -54,7 +53,7 @@ TEST_CASE("a closed ball of any white reflector holds one more with each bounce"
   for (const LosslessBsdf& bsdf : kReflectors) {
     double worst = 0;
     for (const int bounces : {1, 4})
-      worst = std::max(worst, closedError(closedBall(bsdf), bounces, slowDriver() ? 256 : 128));
+      worst = std::max(worst, closedError(closedBall(bsdf), bounces, 128));
     checkAtMost("shading", fmt::format("furnace, {}, ball", bsdf.name),
                 "mean after 1 and 4 bounces, worst relative error", worst, 0.005);
   }
@@ -71,6 +70,7 @@ TEST_CASE("a ball of any glass is as bright as an even sky or an even room aroun
     sky.environment.color = Vec3(1);
     checkAtMost("shading", fmt::format("ball under an even sky, {}", bsdf.name),
                 "mean after 64 bounces, relative error", outsideError(sky), 0.005);
+    if (slowDriver()) continue;
     Scene room = ballOutside(bsdf);
     addCube(room, 4, add(room, lambert("room", Vec3(0), Vec3(1))), true);
     checkAtMost("shading", fmt::format("ball in an even room, {}", bsdf.name),
