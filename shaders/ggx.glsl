@@ -41,3 +41,10 @@ float pdfGgxNormal(vec3 wo, vec3 normal, float alpha) {
   return ggxMasking(wo, alpha) * max(dot(wo, normal), 0.0) * ggxDistribution(normal, alpha) /
          max(wo.z, 1.0e-7);
 }
+
+// The density of the direction that wo is reflected into, where the microfacet's normal is halfway
+// between the two. Not by way of the normal's density: the cosine between wo and the normal cancels,
+// and has no digits left where the two directions are nearly opposite.
+float pdfGgxReflection(vec3 wo, vec3 normal, float alpha) {
+  return ggxMasking(wo, alpha) * ggxDistribution(normal, alpha) / (4.0 * max(wo.z, 1.0e-7));
+}

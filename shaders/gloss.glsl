@@ -24,8 +24,7 @@ vec3 evalGloss(vec3 wo, vec3 wi, float alpha, vec3 normal_incidence, float grazi
 
 float pdfGloss(vec3 wo, vec3 wi, float alpha) {
   if (!(wi.z > 0.0)) return 0.0;
-  vec3 normal = normalize(wo + wi);
-  return pdfGgxNormal(wo, normal, alpha) / (4.0 * max(dot(wo, normal), 1.0e-7));
+  return pdfGgxReflection(wo, normalize(wo + wi), alpha);
 }
 
 // The zero vector, which stands for nothing, where a microfacet reflects into the surface: other lobes

@@ -26,8 +26,7 @@ float evalThinWall(vec3 wo, vec3 wi, float alpha, float ior, float albedo) {
 float pdfThinWall(vec3 wo, vec3 wi, float alpha, float ior) {
   if (wi.z == 0.0) return 0.0;
   vec3 normal = normalize(wo + onSideOfWo(wi));
-  return thinWallShare(wo, wi, normal, ior) * pdfGgxNormal(wo, normal, alpha) /
-         (4.0 * max(dot(wo, normal), 1.0e-7));
+  return thinWallShare(wo, wi, normal, ior) * pdfGgxReflection(wo, normal, alpha);
 }
 
 // The zero vector, which stands for nothing, where a microfacet reflects into the surface.

@@ -145,3 +145,28 @@ TEST_CASE("nothing is negative or not a number, however extreme") {
   }
   CHECK(bad == 0);
 }
+
+// Of two directions that are nearly opposite, the half vector is known to few digits only, and may
+// lead away from either. What the density takes for nothing then, the reflectance must not take for
+// a peak.
+TEST_CASE("no sampled direction weighs more than a few, however flat the light comes in") {
+  Random random(9);
+  for (Surface s : kindsOfSurface()) {
+    float most = 0;
+    for (const double roughness : {0.1, 0.2, 0.3, 0.55, 1.0})
+      for (const double cosine : {1e-4, 1e-3, 1e-2}) {
+        s.roughness = roughness;
+        if (s.clearcoat_roughness > 0) s.clearcoat_roughness = roughness;
+        const auto bsdf = bsdfOf<glsl_float::Bsdf>(s, cosine);
+        for (int i = 0; i < 20000; ++i) {
+          const glm::vec3 wo(directionOf(cosine, random.uniform(0, 6.28f)));
+          const auto sample = glsl_float::sampleBsdf(
+              bsdf, wo, {random.uniform(), random.uniform(), random.uniform()});
+          most = std::max({most, sample.weight.x, sample.weight.y, sample.weight.z});
+        }
+      }
+    report("{}: weights of up to {:.3g}", s.name, most);
+    INFO(s.name);
+    CHECK(most < 10);
+  }
+}
