@@ -1,6 +1,7 @@
 // How wrong a picture still is by chance.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace glimt {
@@ -17,8 +18,12 @@ struct NoiseEstimate {
   double exponent = 1;   // its square falls with the samples to the power of minus this
   double deviation = 0;  // standard deviation of the exponent
 
-  // How many samples bring `upper` down to a goal.
-  double samplesFor(double goal) const { return samples * std::pow(upper / goal, 2 / exponent); }
+  // How many samples bring `upper` down to a goal. By then it is nearer to `relative` than in the
+  // beginning, when the exponent is hardly known.
+  double samplesFor(double goal) const {
+    const double then = std::min(upper, 1.1 * relative);
+    return samples * std::pow(then / goal, 2 / exponent);
+  }
 };
 
 }  // namespace glimt

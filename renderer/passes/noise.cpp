@@ -11,11 +11,11 @@ constexpr double kDeviations = 1.645;
 
 // Standard deviation of a measured exponent beside the one that follows from the pixels' number:
 // the variance does not fall quite as a power, and the larger errors do it later.
-constexpr double kExponentDeviation = 0.15;
-constexpr double kExponentDrift = 0.02;  // from one doubling to the next
+constexpr double kExponentDeviation = 0.1;
+constexpr double kExponentDrift = 0.05;  // from one doubling to the next
 
 // Of the noise that is measured between two doublings.
-constexpr double kModelDeviation = 0.02;
+constexpr double kModelDeviation = 0.03;
 
 // Relative standard deviation of a sum of squares of normally distributed changes: the variance of
 // such a square is two thirds of the mean of its own square.

@@ -89,7 +89,8 @@ TEST_CASE("the samples that a goal takes are those at which the noise is below i
   const NoiseEstimate now = changes.after(512).estimate(changes.sums(512, 256), 512, 256);
   const int later = static_cast<int>(now.samplesFor(0.5 * now.upper));
   CHECK(std::sqrt(changes.variance(later)) == Approx(0.5 * now.relative).epsilon(0.06));
-  CHECK(now.samplesFor(now.upper) == Approx(512));
+  CHECK(now.samplesFor(now.upper) <= 512);
+  CHECK(now.samplesFor(now.upper) > 0.9 * 512);
 }
 
 TEST_CASE("a picture that does not change has no noise") {
