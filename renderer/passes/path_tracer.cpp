@@ -60,9 +60,10 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
                                       mostTexels(device.maxTextureSize()))),
       traversal_(candidates_.front()),
       record_(recordFor(device, settings.record)),
-      scene_(device, scene, tree, traversalNamed(traversal_).layout),
+      scene_(device, scene, tree, traversalNamed(traversal_).layout, settings.forced),
       offsets_(points_.makeOffsets(device)),
-      effects_(effectsOf(scene)),
+      forced_(settings.forced),
+      effects_(withForced(effectsOf(scene), forced_)),
       bounces_(settings.bounces),
       live_only_(settings.live_only && canDrawLiveOnly(device)),
       accumulation_(device),
@@ -144,7 +145,8 @@ void PathTracer::use(const std::string& traversal) {
 
 void PathTracer::setCamera(const Camera& camera) {
   camera_ = camera;
-  if (const EffectSet effects = withCamera(effects_, camera); effects != effects_) {
+  const EffectSet effects = withForced(withCamera(effects_, camera), forced_);
+  if (effects != effects_) {
     effects_ = effects;
     std::erase_if(programs_, [](const auto& entry) { return entry.first.second == Pass::camera; });
     compile({});

@@ -24,6 +24,9 @@ struct PathTracerSettings {
   std::string record = "packed";  // see records.h
   bool live_only =
       true;  // passes are drawn for live paths only, where the device can; same picture
+  // Effects that are compiled and run although the scene does not call for them, with what they
+  // imply, see withForced(). In a scene with light the picture is the same but for its noise.
+  EffectSet forced = {};
 };
 
 // Rays of the first sample.
@@ -111,6 +114,7 @@ class PathTracer {
   Record record_;
   SceneTextures scene_;
   gl::Texture offsets_;
+  EffectSet forced_;
   EffectSet effects_;
   int bounces_;
   bool live_only_;
