@@ -94,7 +94,8 @@ void addCamera(CLI::App& command, CameraOptions& camera) {
 void addPicture(CLI::App& command, PictureOptions& picture) {
   add(command, "--size", "WxH", "Width and height in pixels (the scene's, else 512x512)",
       [&](const std::string& text) { picture.size = parseSize("--size", text); });
-  add(command, "--bounces", "N", "Secondary bounces (the scene's, else 4)",
+  add(command, "--bounces", "N",
+      "Secondary bounces (the scene's, else 4, or 8 with mirrors or glass)",
       [&](const std::string& text) {
         picture.bounces = static_cast<int>(parseInteger("--bounces", text, 0, kMostBounces));
       });

@@ -8,6 +8,7 @@
 
 #include "renderer/gl/device.h"
 #include "renderer/gl/program.h"
+#include "renderer/gl/query.h"
 #include "renderer/passes/accumulation.h"
 #include "renderer/passes/film.h"
 #include "renderer/passes/sample_points.h"
@@ -105,6 +106,9 @@ class PathTracer {
   void drawStage(const Stage& stage, const gl::Tile& tile);
   void endStage(const Stage& stage);
   void countRays(const Stage& stage);
+  bool asksWhetherAlive(const Stage& stage) const;
+  void drawRays(const gl::Tile& tile, const gl::DrawState& state);
+  std::size_t stageAfter() const;
   void bindSamplePoint(gl::Program& program, const Stage& stage) const;
 
   const gl::Device* device_;
@@ -125,6 +129,7 @@ class PathTracer {
   Camera camera_;
   std::vector<double>
       alive_;  // share of the paths that met a triangle, for each bounce; of the first sample
+  gl::Query query_;
   RayCounts rays_;
   double compile_seconds_ = 0;
   bool rays_counted_ = false;
@@ -134,6 +139,7 @@ class PathTracer {
   std::size_t stage_ = 0;
   int row_ = 0;  // of the stage, the first pixel that is not drawn yet
   int column_ = 0;
+  bool alive_now_ = true;  // whether any path of the sample may be, as far as is known
 };
 
 }  // namespace glimt

@@ -1,16 +1,20 @@
 #include "renderer/scene/default_bounces.h"
 
+#include <fmt/format.h>
+
+#include <vector>
+
 namespace glimt {
 
 BounceLimit defaultBounces(const EffectSet& effects) {
-  constexpr int kScattering = 4;
-  constexpr int kMirrors = 8;
-  constexpr int kPassing = 12;
-  for (const Effect effect : {Effect::glass, Effect::rough_glass})
-    if (has(effects, effect)) return {kPassing, nameOf(effect) + ": light passes several surfaces"};
-  for (const Effect effect : {Effect::mirror, Effect::alpha})
-    if (has(effects, effect)) return {kMirrors, nameOf(effect)};
-  return {kScattering, "light is scattered at every surface"};
+  constexpr int kScattered = 4;
+  constexpr int kSentOn = 8;
+  std::vector<std::string> sending;
+  for (const Effect effect : {Effect::mirror, Effect::glass, Effect::rough_glass})
+    if (has(effects, effect)) sending.push_back(nameOf(effect));
+  if (sending.empty()) return {kScattered, "no surface is a mirror or glass"};
+  return {kSentOn, fmt::format("light that mirrors and glass send on is still strong: {}",
+                               fmt::join(sending, ", "))};
 }
 
 }  // namespace glimt

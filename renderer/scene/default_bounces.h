@@ -1,4 +1,4 @@
-// How many bounces a picture takes where nobody says.
+// How many bounces a picture takes where neither the command line nor the scene's file says so.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@ namespace glimt {
 
 struct BounceLimit {
   int bounces = 0;     // secondary bounces
-  std::string reason;  // "rough_glass: light passes several surfaces"
+  std::string reason;  // why so many: "no surface is a mirror or glass"
 };
 
-// What the effects call for. Light that is scattered at every surface is weak after few bounces;
-// what mirrors send on, and what passes glass, is not, and a glass takes up four surfaces.
-// docs/effects.md has the light that is lost beyond.
+// Four, or eight where mirrors or glass take up bounces and hardly weaken the light: then what is
+// lost beyond shows no more in them than it does elsewhere; docs/effects.md has the measurements.
+// Light that passes by alpha takes up no bounce.
 BounceLimit defaultBounces(const EffectSet& effects);
 
 }  // namespace glimt
