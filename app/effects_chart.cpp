@@ -31,9 +31,10 @@ class EffectsChart {
       : rows_(&rows),
         top_(headingHeight(keys())),
         svg_(kChartWidth, top_ + 2 * kPanelHeight + kNamesHeight) {
-    drawHeading(svg_, title(), conditions,
-                "pixels; bars: median of the repeats, whiskers: least and most; lower is faster",
-                keys());
+    drawHeading(
+        svg_, title(), conditions,
+        "pixels; bars: median of the repeats, whiskers: least and most, cut off; lower is faster",
+        keys());
     drawPanel(0, "seconds per sample, and how many times those of the scene's own effects",
               &EffectsRow::sample_seconds);
     const double names = drawPanel(1, "seconds to compile", &EffectsRow::compile_seconds);
@@ -68,11 +69,16 @@ class EffectsChart {
     return plot.bottom();
   }
 
+  // A single slow moment must not press all bars down: whiskers may be longer than the panel.
   double mostOf(Value value) const {
     double most = 0;
-    for (const EffectsRow& row : *rows_)
-      if (row.*value) most = std::max(most, (row.*value)->most);
-    return most * 1.1;  // room for a number above the bar
+    double most_median = 0;
+    for (const EffectsRow& row : *rows_) {
+      if (!(row.*value)) continue;
+      most = std::max(most, (row.*value)->most);
+      most_median = std::max(most_median, (row.*value)->median);
+    }
+    return std::min(most, 1.25 * most_median) * 1.1;  // room for a number above the bar
   }
 
   static double left() { return kChartMargin + kAxisWidth; }
@@ -97,9 +103,10 @@ class EffectsChart {
     const double half = (step() - kGapBetweenBars) / 2;
     svg_.rectangle({x - half, plot.yOf(spread.median)}, {x + half, plot.bottom()},
                    chartColor(colorOf(row)));
-    plot.drawWhisker(svg_, x, spread);
+    const double most = std::min(spread.most, mostOf(value) / 1.1);
+    plot.drawWhisker(svg_, x, {spread.median, spread.least, most});
     if (value == &EffectsRow::sample_seconds)
-      svg_.text({x, plot.yOf(spread.most) - 4}, fmt::format("{:.2f}", row.ratio->median),
+      svg_.text({x, plot.yOf(most) - 4}, fmt::format("{:.2f}", row.ratio->median),
                 {10.5, "#222222", "middle"});
   }
 

@@ -97,7 +97,7 @@ inline constexpr const char* kAllEffects = "all";
 struct EffectsBenchSettings {
   int bounces = 4;
   int side = 512;           // pictures are side * side pixels
-  int repeats = 9;          // samples; after one that is not timed
+  int repeats = 25;         // samples; after one that is not timed
   int compile_repeats = 3;  // of all that is compiled
 };
 
