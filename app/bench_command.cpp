@@ -7,8 +7,10 @@
 #include "app/json_output.h"
 #include "app/output_files.h"
 #include "app/progress.h"
+#include "renderer/bench/bench_mesh.h"
 #include "renderer/core/error.h"
 #include "renderer/core/file.h"
+#include "renderer/scene/load_scene.h"
 
 namespace glimt {
 namespace {
@@ -42,6 +44,18 @@ PassesBenchSettings passesSettings(const BenchOptions& options) {
 // drivers ignore this, and whoever has set it keeps what is set.
 void doWithoutShaderCache() {
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+}
+
+EffectsBenchSettings effectsSettings(const BenchOptions& options, const Scene& scene) {
+  EffectsBenchSettings settings;
+  settings.side = options.side;
+  if (options.quick) {
+    settings.repeats = kQuickRepeats;
+    settings.compile_repeats = 1;
+  }
+  settings.bounces = options.bounces.empty() ? settingsOf(PictureOptions(), scene).bounces
+                                             : options.bounces.front();
+  return settings;
 }
 
 DeviceBenchSettings deviceSettings(const BenchOptions& options) {
@@ -80,6 +94,8 @@ int runBench(const BenchOptions& options) {
       throw Error(ErrorKind::usage, "--suite device has no chart; leave --chart out");
     checkWritable(options.chart);
   }
+  if (!options.scene.empty() && options.suite != BenchSuite::effects)
+    throw Error(ErrorKind::usage, "SCENE is for --suite effects; the other suites bring their own");
   doWithoutShaderCache();
   ContextHandle context = createOffscreenContext(options.backend, options.gles);
   Progress progress(true);
@@ -90,6 +106,11 @@ int runBench(const BenchOptions& options) {
     writeResults(bench, options, context.info());
   } else if (options.suite == BenchSuite::passes) {
     const auto rows = benchPasses(context, passesSettings(options), show);
+    progress.clear();
+    writeResults(rows, options, context.info());
+  } else if (options.suite == BenchSuite::effects) {
+    const Scene scene = options.scene.empty() ? makeBenchBox() : loadScene(options.scene, {});
+    const auto rows = benchEffects(context, scene, effectsSettings(options, scene), show);
     progress.clear();
     writeResults(rows, options, context.info());
   } else {

@@ -68,6 +68,24 @@ Json jsonOf(const PassesRow& row, const ContextInfo& context) {
   return json;
 }
 
+void addSpread(Json& json, const std::string& key, const std::optional<Spread>& spread) {
+  json[key] = spread ? Json(rounded(spread->median)) : Json(nullptr);
+  json[key + "_least"] = spread ? Json(rounded(spread->least)) : Json(nullptr);
+  json[key + "_most"] = spread ? Json(rounded(spread->most)) : Json(nullptr);
+}
+
+Json jsonOf(const EffectsRow& row, const ContextInfo& context) {
+  Json json{{"suite", "effects"},     {"scene", row.scene},         {"triangles", row.triangles},
+            {"bounces", row.bounces}, {"traversal", row.traversal}, {"gles", context.gles},
+            {"effect", row.effect},   {"forced", row.forced}};
+  addSpread(json, "compile_seconds", row.compile_seconds);
+  addSpread(json, "seconds_per_sample", row.sample_seconds);
+  addSpread(json, "ratio", row.ratio);
+  json["agrees"] = row.agrees ? Json(*row.agrees) : Json(nullptr);
+  if (!row.note.empty()) json["note"] = row.note;
+  return json;
+}
+
 template <typename Row>
 Json reportOf(const std::vector<Row>& rows, const BenchConditions& conditions) {
   Json list = Json::array();
@@ -112,6 +130,23 @@ std::string textOf(const PassesRow& row) {
   return row.note.empty() ? text : text + "; " + row.note;
 }
 
+std::string textOf(const std::optional<Spread>& spread, int decimals) {
+  if (!spread) return "";
+  return fmt::format("{1:.{0}f} [{2:.{0}f} {3:.{0}f}]", decimals, spread->median, spread->least,
+                     spread->most);
+}
+
+std::string textOf(const EffectsRow& row) {
+  std::string text = fmt::format("{:<18}", row.effect);
+  if (row.sample_seconds) {
+    const std::string agrees =
+        row.effect == kOwnEffects ? "reference" : (*row.agrees ? "yes" : "NO");
+    text += fmt::format("{:<17} {:<24} {:<17} {}", textOf(row.compile_seconds, 2),
+                        textOf(row.sample_seconds, 4), textOf(row.ratio, 2), agrees);
+  }
+  return row.note.empty() ? text : text + "; " + row.note;
+}
+
 }  // namespace
 
 std::string textOf(const std::vector<TraversalRow>& rows, const BenchConditions& conditions) {
@@ -149,11 +184,28 @@ std::string textOf(const std::vector<PassesRow>& rows, const BenchConditions& co
   return text;
 }
 
+std::string textOf(const std::vector<EffectsRow>& rows, const BenchConditions& conditions) {
+  const EffectsRow& own = rows.front();
+  std::string text = fmt::format(
+      "{}, {}\n{} x {} pixels, seconds: median [least most]\n\n{}, {}, {}, traversal {}\n",
+      conditions.context.renderer, conditions.context.version, conditions.side, conditions.side,
+      printable(own.scene), counted(own.triangles, "triangle"),
+      counted(static_cast<std::uintmax_t>(own.bounces), "bounce"), own.traversal);
+  text += fmt::format("  {:<18}{:<17} {:<24} {:<17} {}\n", "forced", "compile", "sample", "ratio",
+                      "agrees");
+  for (const EffectsRow& row : rows) text += fmt::format("  {}\n", textOf(row));
+  return text;
+}
+
 Json jsonOf(const std::vector<TraversalRow>& rows, const BenchConditions& conditions) {
   return reportOf(rows, conditions);
 }
 
 Json jsonOf(const std::vector<PassesRow>& rows, const BenchConditions& conditions) {
+  return reportOf(rows, conditions);
+}
+
+Json jsonOf(const std::vector<EffectsRow>& rows, const BenchConditions& conditions) {
   return reportOf(rows, conditions);
 }
 

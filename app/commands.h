@@ -46,12 +46,13 @@ struct CompareOptions {
   std::string json;
 };
 
-enum class BenchSuite { traversal, passes, device };
+enum class BenchSuite { traversal, passes, effects, device };
 
 struct BenchOptions {
   BenchSuite suite = BenchSuite::traversal;
+  std::filesystem::path scene;         // of suite effects; empty for its own
   std::vector<std::size_t> triangles;  // of the meshes; empty for the suite's own
-  std::vector<int> bounces;            // of suite passes; empty for its own
+  std::vector<int> bounces;            // of suites passes and effects; empty for their own
   int side = 512;                      // of the square of rays or pixels
   bool quick = false;
   int gles = 2;

@@ -6,6 +6,7 @@
 #include "app/json_output.h"
 #include "renderer/core/bounds.h"
 #include "renderer/core/wording.h"
+#include "renderer/scene/default_bounces.h"
 #include "renderer/scene/effects_of.h"
 #include "renderer/scene/load_scene.h"
 
@@ -90,10 +91,17 @@ Json effectsOnAndOff(const Scene& scene) {
   return effects;
 }
 
+// Of a picture, unless --bounces says otherwise.
+BounceLimit bouncesOf(const Scene& scene) {
+  if (scene.render.bounces) return {*scene.render.bounces, "the scene's file says so"};
+  return defaultBounces(effectsOf(scene));
+}
+
 Json reportOf(const InfoOptions& options, const Scene& scene) {
   const Bounds bounds = boundsOf(scene);
   const Lights lights = lightsOf(scene);
   const Camera& camera = scene.camera;
+  const BounceLimit limit = bouncesOf(scene);
   return {
       {"scene", options.scene.string()},
       {"name", scene.name},
@@ -119,6 +127,7 @@ Json reportOf(const InfoOptions& options, const Scene& scene) {
       {"cameras", cameraNames(scene)},
       {"variants", scene.variants},
       {"effects", effectsOnAndOff(scene)},
+      {"bounces", {{"limit", limit.bounces}, {"reason", limit.reason}}},
       {"warnings", scene.warnings}};
 }
 
@@ -209,6 +218,8 @@ std::string textOf(const Scene& scene) {
   addMaterials(table, scene);
   addTextures(table, scene);
   addEffects(table, scene);
+  const BounceLimit limit = bouncesOf(scene);
+  table.row("bounces", fmt::format("{}: {}", limit.bounces, limit.reason));
   for (const std::string& warning : scene.warnings) table.row("warning", warning);
   return table.text();
 }

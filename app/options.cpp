@@ -12,6 +12,8 @@
 #include "app/parse.h"
 #include "renderer/core/error.h"
 #include "renderer/core/wording.h"
+#include "renderer/scene/default_bounces.h"
+#include "renderer/scene/effects_of.h"
 #include "renderer/scene/framing.h"
 
 namespace glimt {
@@ -92,7 +94,8 @@ void addCamera(CLI::App& command, CameraOptions& camera) {
 void addPicture(CLI::App& command, PictureOptions& picture) {
   add(command, "--size", "WxH", "Width and height in pixels (the scene's, else 512x512)",
       [&](const std::string& text) { picture.size = parseSize("--size", text); });
-  add(command, "--bounces", "N", "Secondary bounces (the scene's, else 4)",
+  add(command, "--bounces", "N",
+      "Secondary bounces (the scene's, else 4, or 8 with mirrors or glass)",
       [&](const std::string& text) {
         picture.bounces = static_cast<int>(parseInteger("--bounces", text, 0, kMostBounces));
       });
@@ -146,11 +149,9 @@ void addBackend(CLI::App& command, Backend& backend) {
 }
 
 BenchSuite suiteNamed(const std::string& name) {
-  if (name == "effects")
-    throw Error(ErrorKind::usage,
-                "--suite effects is not in this version; use traversal, passes or device");
-  parseChoice("--suite", name, {"traversal", "passes", "device"});
+  parseChoice("--suite", name, {"traversal", "passes", "effects", "device"});
   if (name == "device") return BenchSuite::device;
+  if (name == "effects") return BenchSuite::effects;
   return name == "passes" ? BenchSuite::passes : BenchSuite::traversal;
 }
 
@@ -231,7 +232,8 @@ void addCompareOptions(CLI::App& command, CompareOptions& options) {
 }
 
 void addBenchOptions(CLI::App& command, BenchOptions& options) {
-  add(command, "--suite", "traversal|passes|device", "What to measure (traversal)",
+  command.add_option("SCENE", options.scene, "For suite effects (a box)")->type_name("");
+  add(command, "--suite", "traversal|passes|effects|device", "What to measure (traversal)",
       [&](const std::string& text) { options.suite = suiteNamed(text); });
   add(command, "--triangles", "N[,N...]",
       "Sizes of the meshes (traversal: 1000,70000,500000,2000000, passes: 70000)",
@@ -239,7 +241,8 @@ void addBenchOptions(CLI::App& command, BenchOptions& options) {
         options.triangles =
             parseList<std::size_t>("--triangles", text, kLeastBenchTriangles, kMostBenchTriangles);
       });
-  add(command, "--bounces", "N[,N...]", "Secondary bounces, for suite passes (1,2,3,4,5,6,7,8)",
+  add(command, "--bounces", "N[,N...]",
+      "Secondary bounces (passes: 1,2,3,4,5,6,7,8, effects: as for a picture)",
       [&](const std::string& text) {
         options.bounces = parseList<int>("--bounces", text, 0, kMostBounces);
       });
@@ -291,7 +294,8 @@ RenderSettings settingsOf(const PictureOptions& options, const Scene& scene) {
   RenderSettings settings;
   settings.width = width;
   settings.height = height;
-  settings.bounces = options.bounces.value_or(scene.render.bounces.value_or(4));
+  settings.bounces = options.bounces.value_or(
+      scene.render.bounces.value_or(defaultBounces(effectsOf(scene)).bounces));
   settings.seed = options.seed;
   settings.traversal = options.traversal;
   settings.record = options.record;

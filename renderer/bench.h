@@ -88,6 +88,44 @@ struct PassesRow {
 std::vector<PassesRow> benchPasses(ContextHandle& context, const PassesBenchSettings& settings,
                                    const std::function<void(const std::string&)>& progress);
 
+// --- What an effect costs that is not called for ------------------------------------------------
+
+// Beside the names of effects.
+inline constexpr const char* kOwnEffects = "none";  // no effect is forced: the scene's own alone
+inline constexpr const char* kAllEffects = "all";
+
+struct EffectsBenchSettings {
+  int bounces = 4;
+  int side = 512;           // pictures are side * side pixels
+  int repeats = 25;         // samples; after one that is not timed
+  int compile_repeats = 3;  // of all that is compiled
+};
+
+// A scene with one effect forced upon it that it does not call for, or all of them.
+struct EffectsRow {
+  std::string scene;
+  std::size_t triangles = 0;
+  int bounces = 0;
+  std::string traversal;
+  std::string effect;  // its name, kOwnEffects or kAllEffects
+  std::vector<std::string>
+      forced;  // what is compiled besides the scene's own: it and what it implies
+  std::optional<Spread> compile_seconds;  // with what the driver leaves to the first draw
+  std::optional<Spread> sample_seconds;   // none: the driver refuses the shader, see note
+  // Of the seconds per sample to those of kOwnEffects in the same round.
+  std::optional<Spread> ratio;
+  // Whether the picture's mean is that of kOwnEffects, per channel; none where nothing was drawn.
+  std::optional<bool> agrees;
+  std::string note;
+};
+
+// The scene's own effects come first, then each of the others, all of them last. Not the parallel
+// projection, which takes the place of a camera and adds nothing to it, nor a lens upon one.
+// `progress` as above. Errors: as for Renderer.
+std::vector<EffectsRow> benchEffects(ContextHandle& context, const Scene& scene,
+                                     const EffectsBenchSettings& settings,
+                                     const std::function<void(const std::string&)>& progress);
+
 // --- What the device can do at most ----------------------------------------------------------
 
 struct DeviceBenchSettings {

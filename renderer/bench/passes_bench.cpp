@@ -8,6 +8,7 @@
 #include "renderer/bench/picture_comparison.h"
 #include "renderer/bench/stopwatch.h"
 #include "renderer/bench/whole_path.h"
+#include "renderer/bench/whole_sample.h"
 #include "renderer/core/error.h"
 #include "renderer/core/wording.h"
 
@@ -23,15 +24,8 @@ struct Candidate {
   std::function<std::vector<Vec4>()> read_radiance;  // of the last sample
 };
 
-// The renderer's own passes, each over the whole picture at once.
 Candidate candidateOf(const std::shared_ptr<PathTracer>& tracer) {
-  return {[tracer](int side) { tracer->resize(side, side); },
-          [tracer] {
-            const Film& film = tracer->film();
-            const double all = static_cast<double>(film.width()) * film.height();
-            const int before = tracer->samples();
-            while (tracer->samples() == before) tracer->drawTile(all);
-          },
+  return {[tracer](int side) { tracer->resize(side, side); }, [tracer] { drawSample(*tracer); },
           [tracer] { return tracer->film().radiance.front().readFloats(); }};
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 namespace glimt::gl {
 namespace {
@@ -49,12 +50,32 @@ void Context::initialize(const std::string& backend, int gles, const ProcLoader&
   info_.gles = gles;
   info_.software = isSoftware(info_.renderer);
   extensions_ = fmt::format(" {} ", text(functions_, GL_EXTENSIONS));
+  loadQueries(loader);
   for (const auto& [extension, function] : kResetStatusForms) {
     if (functions_.GetGraphicsResetStatus) break;
     if (hasExtension(extension))
       functions_.GetGraphicsResetStatus =
           reinterpret_cast<decltype(functions_.GetGraphicsResetStatus)>(loader(function));
   }
+}
+
+// Questions whether any sample passed are part of ES 3.0; without it, or the extension, the names
+// may well be found, too.
+void Context::loadQueries(const ProcLoader& loader) {
+  const bool by_extension = hasExtension("GL_EXT_occlusion_query_boolean");
+  const bool by_version =
+      info_.version.starts_with("OpenGL ES 3") || hasExtension("GL_ARB_occlusion_query2");
+  if (!by_extension && !by_version) return;
+  const std::string suffix = by_extension ? "EXT" : "";
+  const auto find = [&](auto& function, const std::string& name) {
+    function = reinterpret_cast<std::decay_t<decltype(function)>>(loader((name + suffix).c_str()));
+    return function != nullptr;
+  };
+  const bool complete = find(functions_.DeleteQueries, "glDeleteQueries") &&
+                        find(functions_.BeginQuery, "glBeginQuery") &&
+                        find(functions_.EndQuery, "glEndQuery") &&
+                        find(functions_.GetQueryObjectuiv, "glGetQueryObjectuiv");
+  if (complete) find(functions_.GenQueries, "glGenQueries");
 }
 
 bool Context::hasExtension(const std::string& name) const {

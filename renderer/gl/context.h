@@ -28,6 +28,8 @@ class Context {
   void initialize(const std::string& backend, int gles, const ProcLoader& loader);
 
  private:
+  void loadQueries(const ProcLoader& loader);
+
   Functions functions_;
   ContextInfo info_;
   std::string extensions_;  // separated and enclosed by spaces

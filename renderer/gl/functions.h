@@ -82,6 +82,13 @@ struct Functions {
   GLIMT_GL_OPTIONAL_FUNCTIONS(GLIMT_GL_MEMBER)
 #undef GLIMT_GL_MEMBER
 
+  // Null where the context cannot tell whether a draw did anything; see Query.
+  PFNGLGENQUERIESEXTPROC GenQueries = nullptr;
+  PFNGLDELETEQUERIESEXTPROC DeleteQueries = nullptr;
+  PFNGLBEGINQUERYEXTPROC BeginQuery = nullptr;
+  PFNGLENDQUERYEXTPROC EndQuery = nullptr;
+  PFNGLGETQUERYOBJECTUIVEXTPROC GetQueryObjectuiv = nullptr;
+
   // Null where the context cannot tell that it was lost; see Context.
   GLenum(GL_APIENTRYP GetGraphicsResetStatus)() = nullptr;
 

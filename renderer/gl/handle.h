@@ -46,6 +46,9 @@ struct DeleteRenderbuffer {
 struct DeleteBuffer {
   void operator()(const Functions& gl, GLuint name) const { gl.DeleteBuffers(1, &name); }
 };
+struct DeleteQuery {
+  void operator()(const Functions& gl, GLuint name) const { gl.DeleteQueries(1, &name); }
+};
 struct DeleteShader {
   void operator()(const Functions& gl, GLuint name) const { gl.DeleteShader(name); }
 };
@@ -57,6 +60,7 @@ using TextureHandle = Handle<DeleteTexture>;
 using FramebufferHandle = Handle<DeleteFramebuffer>;
 using RenderbufferHandle = Handle<DeleteRenderbuffer>;
 using BufferHandle = Handle<DeleteBuffer>;
+using QueryHandle = Handle<DeleteQuery>;
 using ShaderHandle = Handle<DeleteShader>;
 using ProgramHandle = Handle<DeleteProgram>;
 

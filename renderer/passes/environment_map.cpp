@@ -97,9 +97,12 @@ EnvironmentCells environmentCells(const Image& image, std::size_t most) {
   return cells;
 }
 
-EnvironmentMap::EnvironmentMap(const gl::Device& device, const Environment& environment) {
-  const Image& image = environment.image;
-  if (!environment.shines() || image.pixels.empty()) {
+EnvironmentMap::EnvironmentMap(const gl::Device& device, const Environment& environment,
+                               const EffectSet& effects) {
+  const Image even{1, 1, {Vec3(1)}};
+  const bool varies = environment.shines() && !environment.image.pixels.empty();
+  const Image& image = varies ? environment.image : even;
+  if (!has(effects, Effect::environment_map)) {
     picture_ = gl::Texture::floats(device.gl(), device.floatForm(), 1, 1, {Vec4(0)});
     cells_ = gl::Texture::floats(device.gl(), device.floatForm(), 1, 1, {Vec4(0)});
     return;
@@ -119,7 +122,7 @@ EnvironmentMap::EnvironmentMap(const gl::Device& device, const Environment& envi
   EnvironmentCells cells = environmentCells(image, kMostCells);
   cells_ =
       gl::Texture::floats(device.gl(), device.floatForm(), cells.width, cells.height, cells.texels);
-  scale_ = environment.color * environment.strength;
+  scale_ = environment.shines() ? environment.radiance() : Vec3(0);
   const double angle = std::numbers::pi / 180 * environment.rotation;
   rotation_ = Vec2(std::cos(angle), std::sin(angle));
 }

@@ -1,6 +1,7 @@
 // A picture of the environment as textures, and where in it the light comes from.
 #pragma once
 
+#include "renderer/core/effects.h"
 #include "renderer/gl/device.h"
 #include "renderer/gl/program.h"
 #include "renderer/scene/scene.h"
@@ -25,9 +26,10 @@ class EnvironmentMap {
  public:
   EnvironmentMap() = default;
 
-  // Empty where the environment has no picture. Errors: input, for a picture larger than the
-  // device's textures.
-  EnvironmentMap(const gl::Device& device, const Environment& environment);
+  // Empty where the effects lack environment_map; where they have it, an even environment is a
+  // picture of one pixel. Errors: input, for a picture larger than the device's textures.
+  EnvironmentMap(const gl::Device& device, const Environment& environment,
+                 const EffectSet& effects);
 
   void bind(gl::Program& program) const;
   std::size_t bytes() const;

@@ -9,7 +9,6 @@
 
 #include "renderer/bvh/parallel_for.h"
 #include "renderer/passes/sheen_albedo.h"
-#include "renderer/scene/effects_of.h"
 #include "renderer/scene/transmission.h"
 #include "shaders/layout.h"
 
@@ -166,8 +165,8 @@ std::vector<Vec4> glossTable(bool with_sheen, const std::vector<float>& iors) {
   return texels;
 }
 
-gl::Texture makeGlossTexture(const gl::Device& device, const Scene& scene) {
-  const EffectSet effects = effectsOf(scene);
+gl::Texture makeGlossTexture(const gl::Device& device, const Scene& scene,
+                             const EffectSet& effects) {
   const std::array kTabulated{Effect::gloss,      Effect::mirror,    Effect::rough_glass,
                               Effect::thin_walls, Effect::clearcoat, Effect::sheen};
   const bool needed = std::any_of(kTabulated.begin(), kTabulated.end(),

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "renderer/core/effects.h"
 #include "renderer/gl/device.h"
 #include "renderer/gl/texture.h"
 #include "renderer/scene/scene.h"
@@ -32,7 +33,8 @@ std::size_t squareOfIor(const std::vector<float>& iors, float ior);
 // milliseconds, sheen some more.
 std::vector<Vec4> glossTable(bool with_sheen, const std::vector<float>& iors);
 
-// Of one texel where the scene does not call for the table.
-gl::Texture makeGlossTexture(const gl::Device& device, const Scene& scene);
+// Of one texel where none of the effects calls for the table.
+gl::Texture makeGlossTexture(const gl::Device& device, const Scene& scene,
+                             const EffectSet& effects);
 
 }  // namespace glimt

@@ -20,6 +20,10 @@ namespace {
 // Tiles begin at multiples of this many pixels, which is how tiled rasterisers divide a target.
 constexpr int kTileStep = 64;
 
+// Whether any path is alive is asked where the first sample had fewer of them left: the answer has
+// to be waited for.
+constexpr double kFewAlive = 0.01;
+
 // Whether a packed hit record is of a path that has met a triangle; see shaders/hit_record.glsl,
 // whose first channel holds the triangle in its mantissa.
 bool isPackedHit(const Vec4& record) {
@@ -60,13 +64,15 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
                                       mostTexels(device.maxTextureSize()))),
       traversal_(candidates_.front()),
       record_(recordFor(device, settings.record)),
-      scene_(device, scene, tree, traversalNamed(traversal_).layout),
+      scene_(device, scene, tree, traversalNamed(traversal_).layout, settings.forced),
       offsets_(points_.makeOffsets(device)),
-      effects_(effectsOf(scene)),
+      forced_(settings.forced),
+      effects_(withForced(effectsOf(scene), forced_)),
       bounces_(settings.bounces),
       live_only_(settings.live_only && canDrawLiveOnly(device)),
       accumulation_(device),
-      camera_(scene.camera) {
+      camera_(scene.camera),
+      query_(device.gl()) {
   planStages();
   compile(progress);
 }
@@ -144,7 +150,8 @@ void PathTracer::use(const std::string& traversal) {
 
 void PathTracer::setCamera(const Camera& camera) {
   camera_ = camera;
-  if (const EffectSet effects = withCamera(effects_, camera); effects != effects_) {
+  const EffectSet effects = withForced(withCamera(effects_, camera), forced_);
+  if (effects != effects_) {
     effects_ = effects;
     std::erase_if(programs_, [](const auto& entry) { return entry.first.second == Pass::camera; });
     compile({});
@@ -183,7 +190,7 @@ double PathTracer::drawTile(double pixels) {
   if (row_ == film_.height()) {
     row_ = 0;
     endStage(stage);
-    stage_ = (stage_ + 1) % stages_.size();
+    stage_ = stageAfter();
     if (stage_ == 0) {
       ++samples_;
       planStages();
@@ -204,11 +211,26 @@ gl::Tile PathTracer::nextTile(double pixels) const {
           std::min(rows, film_.height() - row_)};
 }
 
+// Where no path is alive what is left of the sample is to add it to the picture.
+std::size_t PathTracer::stageAfter() const {
+  const auto adds = [](const Stage& stage) { return stage.pass == Pass::accumulate; };
+  const auto sum = std::find_if(stages_.begin(), stages_.end(), adds) - stages_.begin();
+  const auto next = stage_ + 1;
+  return alive_now_ ? next % stages_.size() : std::max(next, static_cast<std::size_t>(sum));
+}
+
 void PathTracer::takeBackSample() {
   --samples_;
 }
 
+// Ended paths are marked behind a bounce that few survive, see marksEnded().
+bool PathTracer::asksWhetherAlive(const Stage& stage) const {
+  return stage.pass == Pass::trace && live_only_ && query_ && rays_counted_ &&
+         alive_[static_cast<std::size_t>(stage.bounce) - 1] < kFewAlive;
+}
+
 void PathTracer::beginStage(const Stage& stage) {
+  alive_now_ = !asksWhetherAlive(stage);
   if (stage.pass == Pass::camera) {
     film_.radiance.clear();
     if (live_only_) film_.radiance.front().clearStencil();
@@ -241,7 +263,7 @@ void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
     bindCamera(program, camera_, film_.width(), film_.height());
     program.set("uDeltaOnly", stage.bounce > bounces_ ? 1.0f : 0.0f);
     film_.record.back().bind();
-    device_->draw(tile, state);
+    drawRays(tile, state);
     return;
   }
   program.set("uLastSurface", static_cast<float>(std::max(stage.bounce - bounces_ + 1, 0)));
@@ -255,6 +277,18 @@ void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
   device_->draw(tile, state);
 }
 
+// One tile with a living path is enough to know.
+void PathTracer::drawRays(const gl::Tile& tile, const gl::DrawState& state) {
+  if (alive_now_) {
+    device_->draw(tile, state);
+    return;
+  }
+  query_.begin();
+  device_->draw(tile, state);
+  query_.end();
+  alive_now_ = query_.anyPassed();
+}
+
 void PathTracer::endStage(const Stage& stage) {
   if (stage.pass == Pass::accumulate) {
     accumulation_.endSample();
@@ -265,6 +299,11 @@ void PathTracer::endStage(const Stage& stage) {
     accumulation_.endBlock();
   } else if (stage.pass == Pass::escape || stage.pass == Pass::light) {
     if (!device_->floatBlending()) film_.radiance.swap();
+    if (stage.pass == Pass::light && !rays_counted_ && alive_.back() == 0) {
+      alive_.resize(static_cast<std::size_t>(bounces_) + 1);
+      rays_counted_ = true;
+      alive_now_ = false;
+    }
   } else {
     film_.record.swap();
     if (!rays_counted_) countRays(stage);

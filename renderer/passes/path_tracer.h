@@ -8,6 +8,7 @@
 
 #include "renderer/gl/device.h"
 #include "renderer/gl/program.h"
+#include "renderer/gl/query.h"
 #include "renderer/passes/accumulation.h"
 #include "renderer/passes/film.h"
 #include "renderer/passes/sample_points.h"
@@ -24,6 +25,9 @@ struct PathTracerSettings {
   std::string record = "packed";  // see records.h
   bool live_only =
       true;  // passes are drawn for live paths only, where the device can; same picture
+  // Effects that are compiled and run although the scene does not call for them, with what they
+  // imply, see withForced(). In a scene with light the picture is the same but for its noise.
+  EffectSet forced = {};
 };
 
 // Rays of the first sample.
@@ -102,6 +106,9 @@ class PathTracer {
   void drawStage(const Stage& stage, const gl::Tile& tile);
   void endStage(const Stage& stage);
   void countRays(const Stage& stage);
+  bool asksWhetherAlive(const Stage& stage) const;
+  void drawRays(const gl::Tile& tile, const gl::DrawState& state);
+  std::size_t stageAfter() const;
   void bindSamplePoint(gl::Program& program, const Stage& stage) const;
 
   const gl::Device* device_;
@@ -111,6 +118,7 @@ class PathTracer {
   Record record_;
   SceneTextures scene_;
   gl::Texture offsets_;
+  EffectSet forced_;
   EffectSet effects_;
   int bounces_;
   bool live_only_;
@@ -121,6 +129,7 @@ class PathTracer {
   Camera camera_;
   std::vector<double>
       alive_;  // share of the paths that met a triangle, for each bounce; of the first sample
+  gl::Query query_;
   RayCounts rays_;
   double compile_seconds_ = 0;
   bool rays_counted_ = false;
@@ -130,6 +139,7 @@ class PathTracer {
   std::size_t stage_ = 0;
   int row_ = 0;  // of the stage, the first pixel that is not drawn yet
   int column_ = 0;
+  bool alive_now_ = true;  // whether any path of the sample may be, as far as is known
 };
 
 }  // namespace glimt

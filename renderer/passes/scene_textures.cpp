@@ -115,8 +115,9 @@ void bindData(gl::Program& program, const std::string& name, const gl::Texture& 
 }  // namespace
 
 SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene, const SceneTree& tree,
-                             TreeLayout layout) {
+                             TreeLayout layout, const EffectSet& forced) {
   const Bvh& bvh = tree.bvh;
+  const EffectSet effects = withForced(effectsOf(scene), forced);
   const auto start = std::chrono::steady_clock::now();
   NodeLayout nodes = layOut(bvh, layout);
   build_seconds_ = tree.build_seconds +
@@ -126,7 +127,8 @@ SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene, const
   nodes_ = makeDataTexture(device, std::move(nodes.texels), "tree nodes");
   triangles_ = makeDataTexture(device, packTriangles(scene, bvh), "triangles");
   atlas_ = TextureAtlas(device, scene);
-  attributes_ = makeDataTexture(device, packAttributes(scene, bvh.order), "vertex attributes");
+  attributes_ =
+      makeDataTexture(device, packAttributes(scene, bvh.order, effects), "vertex attributes");
   materials_ = makeDataTexture(device, packMaterials(scene, lights, atlas_), "materials");
   lights_ = makeDataTexture(device, packLights(lights, bvh), "lights");
   std::vector<Vec4> punctual = packPunctualLights(scene);
@@ -142,10 +144,10 @@ SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene, const
   grid_origin_ = nodes.grid_origin;
   grid_cell_ = nodes.grid_cell;
   light_count_ = lights.entries.size();
-  gloss_table_ = makeGlossTexture(device, scene);
+  gloss_table_ = makeGlossTexture(device, scene, effects);
   light_shares_ = lightShares(scene, lights);
   environment_radiance_ = scene.environment.radiance();
-  environment_map_ = EnvironmentMap(device, scene.environment);
+  environment_map_ = EnvironmentMap(device, scene.environment, effects);
 }
 
 void SceneTextures::bind(gl::Program& program) const {

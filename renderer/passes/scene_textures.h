@@ -1,6 +1,7 @@
 // A scene and its tree as textures.
 #pragma once
 
+#include "renderer/core/effects.h"
 #include "renderer/gl/device.h"
 #include "renderer/gl/program.h"
 #include "renderer/passes/environment_map.h"
@@ -13,9 +14,9 @@ namespace glimt {
 class SceneTextures {
  public:
   // Errors: input, when the scene is larger than the device's textures or the hit record can hold,
-  // or its tree deeper than the traversal's stack.
+  // or its tree deeper than the traversal's stack. `forced` as in PathTracerSettings.
   SceneTextures(const gl::Device& device, const Scene& scene, const SceneTree& tree,
-                TreeLayout layout);
+                TreeLayout layout, const EffectSet& forced = {});
   SceneTextures(const gl::Device& device, const Scene& scene, TreeLayout layout,
                 const WorkProgress& progress = {})
       : SceneTextures(device, scene, buildSceneTree(scene, device.maxTextureSize(), progress),

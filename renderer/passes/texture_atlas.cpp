@@ -74,14 +74,14 @@ std::vector<std::uint8_t> texelsOf(const Scene& scene, const AtlasPlan& plan) {
 TextureAtlas::TextureAtlas(const gl::Device& device, const Scene& scene)
     : plan_(planAtlas(sizesOf(scene), device.maxTextureSize(), kMostBytes)),
       warnings_(warningsOf(scene, plan_)) {
-  if (plan_.width == 0) return;
-  texture_ = gl::Texture::bytes(device.gl(), plan_.width, plan_.height, texelsOf(scene, plan_));
+  texture_ = plan_.width == 0 ? gl::Texture::bytes(device.gl(), 1, 1)
+                              : gl::Texture::bytes(device.gl(), plan_.width, plan_.height,
+                                                   texelsOf(scene, plan_));
 }
 
 void TextureAtlas::bind(gl::Program& program) const {
-  if (plan_.width == 0) return;
   program.set("uAtlas", texture_);
-  program.set("uAtlasStep", 1.0f / Vec2(plan_.width, plan_.height));
+  program.set("uAtlasStep", 1.0f / Vec2(texture_.width(), texture_.height()));
 }
 
 std::size_t TextureAtlas::bytes() const {

@@ -1,7 +1,6 @@
 #include "renderer/passes/vertex_attributes.h"
 
 #include "renderer/passes/corner_order.h"
-#include "renderer/scene/effects_of.h"
 #include "shaders/layout.h"
 
 namespace glimt {
@@ -21,8 +20,8 @@ void packTexcoords(const Scene& scene, const Triangle& triangle,
 
 }  // namespace
 
-std::vector<Vec4> packAttributes(const Scene& scene, const std::vector<std::uint32_t>& order) {
-  const EffectSet effects = effectsOf(scene);
+std::vector<Vec4> packAttributes(const Scene& scene, const std::vector<std::uint32_t>& order,
+                                 const EffectSet& effects) {
   const bool colored = has(effects, Effect::vertex_colors);
   std::vector<Vec4> texels;
   if (!colored && !has(effects, Effect::textures)) return texels;

@@ -4,13 +4,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "renderer/core/effects.h"
 #include "renderer/scene/scene.h"
 
 namespace glimt {
 
-// For each triangle, in the order of `order`, into Scene::triangles. Nothing where the scene looks
-// up no picture and has no colours. Triangles without coordinates have zeros, without colours
+// For each triangle, in the order of `order`, into Scene::triangles. Nothing where the effects
+// lack both textures and vertex_colors. Triangles without coordinates have zeros, without colours
 // white.
-std::vector<Vec4> packAttributes(const Scene& scene, const std::vector<std::uint32_t>& order);
+std::vector<Vec4> packAttributes(const Scene& scene, const std::vector<std::uint32_t>& order,
+                                 const EffectSet& effects);
 
 }  // namespace glimt

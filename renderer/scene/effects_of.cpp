@@ -173,6 +173,25 @@ EffectSet effectsOf(const Scene& scene) {
   return effects;
 }
 
+EffectSet withImplied(EffectSet effects) {
+  const auto on = [&](Effect effect) { return has(effects, effect); };
+  const auto set = [&](Effect effect, bool value) {
+    effects.set(static_cast<std::size_t>(effect), value);
+  };
+  if (on(Effect::environment_map)) set(Effect::environment, true);
+  if (on(Effect::normal_maps) || on(Effect::emission_textures)) set(Effect::textures, true);
+  if (on(Effect::emission_textures) && !on(Effect::unlit)) set(Effect::triangle_lights, true);
+  const bool passes = on(Effect::glass) || on(Effect::rough_glass);
+  if ((on(Effect::thin_walls) || on(Effect::absorption)) && !passes) set(Effect::glass, true);
+  if (on(Effect::orthographic)) set(Effect::lens, false);
+  return effects;
+}
+
+EffectSet withForced(const EffectSet& effects, EffectSet forced) {
+  forced.reset(static_cast<std::size_t>(Effect::orthographic));
+  return withImplied(effects | forced);
+}
+
 EffectSet withCamera(EffectSet effects, const Camera& camera) {
   for (const EffectReport& report : {reportLens(camera), reportOrthographic(camera)})
     effects[static_cast<std::size_t>(report.effect)] = report.on;

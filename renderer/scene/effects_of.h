@@ -23,4 +23,12 @@ EffectSet effectsOf(const Scene& scene);
 // The same for the scene with another camera.
 EffectSet withCamera(EffectSet effects, const Camera& camera);
 
+// These, and what they call for besides, as in any scene: pictures that bend normals are pictures.
+// Of a lens and a parallel projection, the latter.
+EffectSet withImplied(EffectSet effects);
+
+// Those of a scene, and forced ones that no part of it calls for. The camera stays what it is: a
+// parallel projection is not forced, nor a lens upon one.
+EffectSet withForced(const EffectSet& effects, EffectSet forced);
+
 }  // namespace glimt

@@ -42,8 +42,9 @@ reports() {
   head -c 4 "$folder/chart.svg" | grep -q '<svg' || fail "suite $suite: no chart"
 }
 
-refuses "traversal, passes" --suite nothing
-refuses "--suite effects" --suite effects
+refuses "traversal, passes, effects" --suite nothing
+refuses "--suite effects" "$folder/scene.obj"
+refuses "--suite effects" --suite passes "$folder/scene.obj"
 refuses "--bounces" --suite passes --bounces 1,,2
 refuses "--bounces" --suite passes --bounces 65
 refuses "--side" --side 0
@@ -52,6 +53,8 @@ refuses "no-such-folder" --chart "$folder/no-such-folder/chart.svg"
 reports traversal "camera_mrays bounce_mrays_least shadow_mrays_most bvh_seconds \
   gpu_bytes_per_triangle different compared reference"
 reports passes "bounces variant sample_seconds median least most" --bounces 1
+reports effects "bounces effect forced seconds_per_sample seconds_per_sample_least ratio ratio_most \
+  compile_seconds_most" --bounces 1
 
 # On one output the report is alone.
 "$glimt" bench --suite passes --quick --side 8 --triangles 100 --bounces 0 --json - >"$folder/out"

@@ -4,6 +4,7 @@
 #include "renderer/gl/device.h"
 #include "renderer/gl/program.h"
 #include "renderer/renderer.h"
+#include "renderer/scene/effects_of.h"
 #include "renderer/shader/composer.h"
 #include "tests/shader/report.h"
 
@@ -11,28 +12,13 @@ using namespace glimt;
 
 namespace {
 
-// What a scene that calls for these calls for besides; of two kinds of camera, one.
-EffectSet asScenesDo(EffectSet effects) {
-  const auto on = [&](Effect effect) { return has(effects, effect); };
-  const auto set = [&](Effect effect, bool value) {
-    effects.set(static_cast<std::size_t>(effect), value);
-  };
-  if (on(Effect::environment_map)) set(Effect::environment, true);
-  if (on(Effect::normal_maps) || on(Effect::emission_textures)) set(Effect::textures, true);
-  if (on(Effect::emission_textures) || on(Effect::unlit)) set(Effect::triangle_lights, true);
-  const bool passes = on(Effect::glass) || on(Effect::rough_glass);
-  if ((on(Effect::thin_walls) || on(Effect::absorption)) && !passes) set(Effect::glass, true);
-  if (on(Effect::orthographic)) set(Effect::lens, false);
-  return effects;
-}
-
 // How many programs were made. One that does not compile or link is an error that names its pass.
 int compileAll(const gl::Device& device, const EffectSet& effects) {
   int programs = 0;
   for (const Pass pass : {Pass::camera, Pass::trace, Pass::escape, Pass::light}) {
     ShaderRequest request;
     request.pass = pass;
-    request.effects = asScenesDo(effects);
+    request.effects = withImplied(effects);
     request.additive_blending = device.floatBlending();
     CAPTURE(nameOf(pass), effects.to_string());
     CHECK_NOTHROW(gl::Program(device.gl(), nameOf(pass), composeVertexShader(),

@@ -71,6 +71,22 @@ std::vector<PassesRow> passesRows() {
   return rows;
 }
 
+std::vector<EffectsRow> effectsRows() {
+  std::vector<EffectsRow> rows;
+  for (const char* effect : {kOwnEffects, "glass", kAllEffects}) {
+    EffectsRow row;
+    row.scene = "box";
+    row.triangles = 38;
+    row.bounces = 4;
+    row.effect = effect;
+    row.compile_seconds = Spread{0.5, 0.4, 0.6};
+    row.sample_seconds = Spread{0.2, 0.1, 0.3};
+    row.ratio = Spread{1.25, 1.2, 1.3};
+    rows.push_back(row);
+  }
+  return rows;
+}
+
 std::size_t count(const std::string& text, const std::string& part) {
   std::size_t found = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
@@ -135,4 +151,21 @@ TEST_CASE("the passes' chart shows where a driver refused the shader") {
   const std::string chart = chartOf(rows, conditions());
   CHECK(isWellFormed(chart));
   CHECK(count(chart, ">refused<") == 2);
+}
+
+TEST_CASE("the effects' chart names scene, bounces and effects, and has two bars for each") {
+  std::vector<EffectsRow> rows = effectsRows();
+  const std::string chart = chartOf(rows, conditions());
+  CHECK(isWellFormed(chart));
+  for (const char* label : {"box, 38 triangles, 4 bounces", "96 x 96", "seconds per sample",
+                            "seconds to compile", ">none<", ">glass<", ">all<", ">1.25<"})
+    CHECK_THAT(chart, Contains(label));
+  CHECK_THAT(chart, !Contains("refused"));
+  rows[1].compile_seconds.reset();
+  rows[1].sample_seconds.reset();
+  rows[1].ratio.reset();
+  const std::string without = chartOf(rows, conditions());
+  CHECK(isWellFormed(without));
+  CHECK(count(without, ">refused<") == 2);
+  CHECK(count(chart, "<rect") == count(without, "<rect") + 2);
 }

@@ -187,3 +187,33 @@ TEST_CASE("coats, fibres, thin walls and absorption turn on their effect, where 
   CHECK(reportOn(scene, Effect::sheen).on);
   CHECK(effectsOf(scene).count() == 1);
 }
+
+TEST_CASE("an effect brings what it implies, and only that") {
+  const auto set = [](std::initializer_list<Effect> effects) {
+    EffectSet result;
+    for (const Effect effect : effects) result.set(static_cast<std::size_t>(effect));
+    return result;
+  };
+  CHECK(withImplied(set({Effect::environment_map})) ==
+        set({Effect::environment_map, Effect::environment}));
+  CHECK(withImplied(set({Effect::normal_maps})) == set({Effect::normal_maps, Effect::textures}));
+  CHECK(withImplied(set({Effect::emission_textures})) ==
+        set({Effect::emission_textures, Effect::textures, Effect::triangle_lights}));
+  CHECK(withImplied(set({Effect::emission_textures, Effect::unlit})) ==
+        set({Effect::emission_textures, Effect::unlit, Effect::textures}));
+  CHECK(withImplied(set({Effect::absorption})) == set({Effect::absorption, Effect::glass}));
+  const EffectSet rough_and_thin = set({Effect::rough_glass, Effect::thin_walls});
+  CHECK(withImplied(rough_and_thin) == rough_and_thin);
+  CHECK(withImplied(set({Effect::lens, Effect::orthographic})) == set({Effect::orthographic}));
+}
+
+TEST_CASE("effects are forced upon a scene beside its own, and its camera stays what it is") {
+  Scene scene = sceneOf(1);
+  const EffectSet all = EffectSet().set();
+  CHECK(withForced(effectsOf(scene), {}) == effectsOf(scene));
+  CHECK_FALSE(has(withForced(effectsOf(scene), all), Effect::orthographic));
+  CHECK(withForced(effectsOf(scene), all).count() == kEffectCount - 1);
+  scene.camera.orthographic_height = 1;
+  CHECK(has(withForced(effectsOf(scene), all), Effect::orthographic));
+  CHECK_FALSE(has(withForced(effectsOf(scene), all), Effect::lens));
+}
