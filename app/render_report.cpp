@@ -51,7 +51,7 @@ Json noiseOf(const RenderReport& report) {
           {"confidence", 0.95},
           {"likely", report.noise->relative},
           {"low", report.noise->lower},
-          {"exponent", report.noise->exponent}};
+          {"exponent", report.noise->exponent()}};
 }
 
 // As far as the noise is known.

@@ -1,8 +1,6 @@
 // The noise of a picture, from how it changes as samples are added.
 #pragma once
 
-#include <optional>
-
 #include "renderer/core/noise_estimate.h"
 
 namespace glimt {
@@ -24,9 +22,12 @@ struct ChangeSums {
 // and M over the whole
 //   E (A - M)^2 = V(n) - V(2n),
 // since the mean square of A's and B's errors is that of M's and that of their distance from M.
-// With V falling as n^-e, the picture's changes at two doublings give e, and one change gives V:
-//   V(N) = E (M_N - M_n)^2 / ((N / n)^e - 1).
-// With e = 1, that of independent samples, and N = 2n it is the variance of the mean of two halves.
+// What is left at 2n is the sum of all later changes, so it is known once it is known how they go
+// on:
+//   V(n) = a / n + b / n^1.5,
+// the first part being what is as random as with independent samples, the second what is smooth but
+// for edges (Mitchell 1996, "Consequences of stratified sampling in graphics"). The changes at two doublings give a : b. With b = 0 the change at one is the
+// variance of the mean of two halves.
 class Noise {
  public:
   // The first doubling whose change is known: from 4 to 8 samples.
@@ -34,14 +35,15 @@ class Noise {
 
   // At `samples`, a power of two and at least 16, the change since half as many, and before that
   // since a quarter as many. To be called for each such number of samples in turn.
-  void doubled(const ChangeSums& sums);
+  void doubled(const ChangeSums& sums, int samples);
 
-  // At `samples`, with the change since `before` samples. Nothing where the picture is black.
+  // At `samples`, with the change since `before` samples.
   NoiseEstimate estimate(const ChangeSums& sums, int samples, int before) const;
 
  private:
-  // Known beforehand: paths of a few bounces are between independent samples, 1, and smooth
-  // integrands of few dimensions, 1.5 and more.
+  int doubled_ = kFirst;  // samples at the last doubling
+  // The power of the samples by which the changes fall from one doubling to the next. Known
+  // beforehand: light that has met a few surfaces is hardly smooth.
   double exponent_ = 1.1;
   double variance_ = 0.15 * 0.15;  // of the exponent
 };

@@ -100,7 +100,7 @@ void NoiseMeter::endSample(const Accumulation& accumulation, int samples) {
   prepare();
   if (samples >= Noise::kFirst) {
     const ChangeSums sums = changeSince(accumulation, true);
-    if (samples >= 2 * Noise::kFirst) noise_.doubled(sums);
+    if (samples >= 2 * Noise::kFirst) noise_.doubled(sums, samples);
     estimate_ = noise_.estimate(sums, samples, last_);
   }
   keep(accumulation);

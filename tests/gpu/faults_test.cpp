@@ -149,7 +149,7 @@ std::string errorWhileSampling(Renderer& renderer) {
 Sampling sample(Renderer& renderer, double seconds_at_risk) {
   const Interrupt interrupt;
   Progress progress(false);
-  return sampleUntil(renderer, {1000, {}}, interrupt, progress, seconds_at_risk);
+  return sampleUntil(renderer, {1000, {}, {}}, interrupt, progress, seconds_at_risk);
 }
 
 void checkSound(const Picture& picture) {
