@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <type_traits>
 
 #include "renderer/core/error.h"
 #include "renderer/core/wording.h"
@@ -121,6 +122,13 @@ class Renderer::State {
     throw Error(ErrorKind::failed, "the picture cannot be read back from a context that is lost");
   }
 
+  std::optional<NoiseEstimate> noiseWhenDue() {
+    return watched([&] { return noise.measureWhenDue(tracer.accumulation(), tracer.samples()); });
+  }
+  std::optional<NoiseEstimate> noiseNow() {
+    return watched([&] { return noise.measure(tracer.accumulation(), tracer.samples()); });
+  }
+
   gl::Device device;
   std::size_t triangles;
   PathTracer tracer;
@@ -128,23 +136,35 @@ class Renderer::State {
   NoiseMeter noise;
 
  private:
+  // Remembers that a draw has failed.
+  template <typename Draws>
+  std::invoke_result_t<Draws> watched(const Draws& draws) {
+    try {
+      return draws();
+    } catch (const Error&) {
+      failed_ = true;
+      throw;
+    }
+  }
+
   void endSample() {
     trial.add(sample_seconds_);
     tracer.use(trial.traversal());
     sample_seconds_ = 0;
-    noise.endSample(tracer.accumulation(), tracer.samples());
+    watched([&] { noise.endSample(tracer.accumulation(), tracer.samples()); });
   }
 
   // A sample that the failing draw completed is not complete.
   double drawChecked(double most_pixels) {
     const int before = tracer.samples();
     try {
-      const double pixels = tracer.drawTile(most_pixels);
-      device.gl().Finish();
-      gl::checkErrors(device.gl(), "finishing a draw");
-      return pixels;
+      return watched([&] {
+        const double pixels = tracer.drawTile(most_pixels);
+        device.gl().Finish();
+        gl::checkErrors(device.gl(), "finishing a draw");
+        return pixels;
+      });
     } catch (const Error&) {
-      failed_ = true;
       if (tracer.samples() > before) tracer.takeBackSample();
       throw;
     }
@@ -209,11 +229,11 @@ Picture Renderer::picture() {
 }
 
 std::optional<NoiseEstimate> Renderer::noise() {
-  return state_->noise.measureWhenDue(state_->tracer.accumulation(), samples());
+  return state_->noiseWhenDue();
 }
 
 std::optional<NoiseEstimate> Renderer::noiseNow() {
-  return state_->noise.measure(state_->tracer.accumulation(), samples());
+  return state_->noiseNow();
 }
 
 Image Renderer::radiance() {

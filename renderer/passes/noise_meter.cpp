@@ -3,6 +3,7 @@
 #include <bit>
 #include <chrono>
 
+#include "renderer/gl/errors.h"
 #include "renderer/shader/composer.h"
 #include "shaders/layout.h"
 
@@ -62,10 +63,16 @@ void NoiseMeter::use(gl::Program& program, const Accumulation& accumulation) con
   program.set("uKept", kept_.front().texture());
 }
 
+void NoiseMeter::drawChecked(int width, int height, Pass pass) const {
+  gl::clearErrors(device_->gl());
+  device_->draw({0, 0, width, height});
+  gl::checkErrors(device_->gl(), "drawing the pass " + nameOf(pass));
+}
+
 void NoiseMeter::keep(const Accumulation& accumulation) {
   use(*keep_, accumulation);
   kept_.back().bind();
-  device_->draw({0, 0, width_, height_});
+  drawChecked(width_, height_, Pass::keep);
   kept_.swap();
 }
 
@@ -74,7 +81,7 @@ ChangeSums NoiseMeter::readChange(const Accumulation& accumulation, bool last) {
   change_->set("uSinceLast", last ? 1.0f : 0.0f);
   change_->set("uFloor", static_cast<float>(floor_));
   sums_.bind();
-  device_->draw({0, 0, sums_.width(), sums_.height()});
+  drawChecked(sums_.width(), sums_.height(), Pass::change);
   glm::dvec4 sums(0);
   for (const Vec4& texel : sums_.readFloats()) sums += glm::dvec4(texel);
   return {sums.x, sums.y, sums.z, sums.w, static_cast<double>(width_) * height_};

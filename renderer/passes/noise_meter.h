@@ -8,11 +8,13 @@
 #include "renderer/passes/accumulation.h"
 #include "renderer/passes/film.h"
 #include "renderer/passes/noise.h"
+#include "renderer/shader/composer.h"
 
 namespace glimt {
 
 // Keeps the picture's luminance at the last two powers of two of samples, and reads back sums over
-// squares of pixels. Compiles its programs when the first is needed.
+// squares of pixels. Compiles its programs when the first is needed. Errors of everything that
+// draws: as gl::checkErrors.
 class NoiseMeter {
  public:
   explicit NoiseMeter(const gl::Device& device) : device_(&device) {}
@@ -39,6 +41,7 @@ class NoiseMeter {
   ChangeSums changeSince(const Accumulation& accumulation, bool last);
   ChangeSums readChange(const Accumulation& accumulation, bool last);
   void use(gl::Program& program, const Accumulation& accumulation) const;
+  void drawChecked(int width, int height, Pass pass) const;
 
   const gl::Device* device_;
   std::optional<gl::Program> keep_;

@@ -65,24 +65,17 @@ std::uint32_t hash(std::uint32_t a, std::uint32_t b) {
   return hash(a ^ (hash(b) + 0x9e3779b9u));
 }
 
-std::uint32_t reverseBits(std::uint32_t x) {
-  x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
-  x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
-  x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
-  x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
-  return (x >> 16) | (x << 16);
-}
-
-// Owen's scrambling by a hash in which each bit depends on the higher ones only: Laine and Karras
-// 2011, with the constants of Burley 2020.
+// Owen's nested scrambling: each bit is flipped or not by a hash of all the bits above it, which
+// are a node's place in a binary tree. Cheaper hashes of the whole number at once (Laine and Karras
+// 2011) leave some pairs of sets correlated over the frames.
 std::uint32_t scramble(std::uint32_t x, std::uint32_t seed) {
-  x = reverseBits(x);
-  x += seed;
-  x ^= x * 0x6c50b47cu;
-  x ^= x * 0xb82f1e52u;
-  x ^= x * 0xc7afe638u;
-  x ^= x * 0x8d22f6e6u;
-  return reverseBits(x);
+  std::uint32_t flips = 0;
+  std::uint32_t node = 1;
+  for (int bit = 31; bit >= 0; --bit) {
+    flips |= hash(node ^ seed) >> 31 << bit;
+    node = 2 * node + (x >> bit & 1u);
+  }
+  return x ^ flips;
 }
 
 float toUnit(std::uint32_t x) {

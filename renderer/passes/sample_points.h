@@ -23,8 +23,8 @@ constexpr std::uint32_t lightSet(int ray) {
 constexpr std::uint32_t kLensSet = 0xffffffffu;
 
 // Every pass of every bounce takes one four-dimensional point per sample: a set of dimensions. The
-// points of a set are Sobol's, shuffled and scrambled by nested uniform permutations: Burley 2020,
-// "Practical Hash-based Owen Scrambling", JCGT 10(4).
+// points of a set are Sobol's, shuffled and scrambled by nested uniform permutations, as in Burley
+// 2020, "Practical Hash-based Owen Scrambling", JCGT 10(4).
 class SamplePoints {
  public:
   explicit SamplePoints(std::uint32_t seed) : seed_(seed) {}
