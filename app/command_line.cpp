@@ -76,6 +76,7 @@ class CommandLine {
   InfoOptions info_;
   CompareOptions compare_;
   BenchOptions bench_;
+  AccuracyOptions accuracy_;
   DoctorOptions doctor_;
   std::vector<Command> commands_;
 };
@@ -105,6 +106,11 @@ CommandLine::CommandLine() {
   CLI::App* const bench = app_.add_subcommand("bench", "How fast the renderer's parts are here");
   addBenchOptions(*bench, bench_);
   commands_.push_back({bench, [this] { return runBench(bench_); }});
+
+  CLI::App* const accuracy =
+      app_.add_subcommand("accuracy", "What accuracy costs in time, as a report");
+  addAccuracyOptions(*accuracy, accuracy_);
+  commands_.push_back({accuracy, [this] { return runAccuracy(accuracy_); }});
 
   CLI::App* const doctor = app_.add_subcommand("doctor", "Whether pictures come out right here");
   addDoctorOptions(*doctor, doctor_);

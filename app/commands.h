@@ -43,6 +43,9 @@ struct InfoOptions {
 struct CompareOptions {
   std::filesystem::path image;
   std::filesystem::path reference;
+  std::filesystem::path output;     // of the difference as a picture; empty for none
+  std::string metric = "flip";      // what the threshold is for
+  std::optional<double> threshold;  // above it the exit status is 1
   std::string json;
 };
 
@@ -61,6 +64,18 @@ struct BenchOptions {
   std::filesystem::path chart;  // empty for none
 };
 
+struct AccuracyOptions {
+  std::filesystem::path scene;
+  LoadSettings load;
+  std::filesystem::path folder;
+  PictureOptions picture;
+  std::string arguments;  // what was asked of the picture but its size, as on the command line
+  std::optional<std::filesystem::path> reference;
+  double seconds = 150;
+  Backend backend = Backend::automatic;
+  bool quiet = false;
+};
+
 struct DoctorOptions {
   int gles = 2;
   Backend backend = Backend::automatic;
@@ -72,6 +87,7 @@ int runView(const ViewOptions& options);
 int runInfo(const InfoOptions& options);
 int runCompare(const CompareOptions& options);
 int runBench(const BenchOptions& options);
+int runAccuracy(const AccuracyOptions& options);
 int runDoctor(const DoctorOptions& options);
 
 }  // namespace glimt

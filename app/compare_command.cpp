@@ -2,6 +2,11 @@
 
 #include "app/commands.h"
 #include "app/json_output.h"
+#include "app/message.h"
+#include "app/output_files.h"
+#include "renderer/core/display_transform.h"
+#include "renderer/core/error.h"
+#include "renderer/core/flip.h"
 #include "renderer/core/image_difference.h"
 #include "renderer/core/image_file.h"
 #include "renderer/core/wording.h"
@@ -9,7 +14,8 @@
 namespace glimt {
 namespace {
 
-Json reportOf(const CompareOptions& options, const Image& image, const ImageDifference& d) {
+Json reportOf(const CompareOptions& options, const Image& image, const ImageDifference& d,
+              double flip) {
   return {{"image", options.image.string()},
           {"reference", options.reference.string()},
           {"width", image.width},
@@ -19,33 +25,58 @@ Json reportOf(const CompareOptions& options, const Image& image, const ImageDiff
           {"relative_mse", d.relative_mse},
           {"noise", d.noise},
           {"psnr", d.psnr},  // null, as JSON has no infinity, where the pictures are equal
+          {"flip", flip},
           {"largest", d.largest}};
 }
 
-std::string textOf(const ImageDifference& d) {
+std::string textOf(const ImageDifference& d, double flip) {
   return fmt::format(
       "mean ratio  {:.5f} {:.5f} {:.5f}\n"
       "MSE         {:.6g}\n"
       "relMSE      {:.6g}\n"
       "noise       {}\n"
       "PSNR        {:.2f} dB\n"
+      "FLIP        {:.4f}\n"
       "largest     {:.6g}\n",
       d.mean_ratio.x, d.mean_ratio.y, d.mean_ratio.z, d.mse, d.relative_mse, percent(d.noise),
-      d.psnr, d.largest);
+      d.psnr, flip, d.largest);
+}
+
+double valueOf(const std::string& metric, const ImageDifference& d, double flip) {
+  if (metric == "relmse") return d.relative_mse;
+  if (metric == "mse") return d.mse;
+  return metric == "noise" ? d.noise : flip;
+}
+
+void checkOutput(const CompareOptions& options) {
+  checkJsonFile(options.json);
+  if (options.output.empty()) return;
+  if (imageFormatOf(options.output) != ImageFormat::png)
+    throw Error(ErrorKind::usage, "the difference is written as a .png; name one with -o");
+  checkWritable(options.output);
 }
 
 }  // namespace
 
+// Linear pictures are looked at as a display shows them.
 int runCompare(const CompareOptions& options) {
-  checkJsonFile(options.json);
+  checkOutput(options);
   const Image image = readImage(options.image);
-  const ImageDifference difference = differenceOf(image, readImage(options.reference));
+  const Image reference = readImage(options.reference);
+  const ImageDifference difference = differenceOf(image, reference);
+  const FlipDifference flip = flipOf(displayImage(image, 0), displayImage(reference, 0));
+  if (!options.output.empty())
+    writeDisplayImage(options.output, flipPicture(flip, image.width, image.height));
   if (options.json.empty()) {
-    writeOut(textOf(difference));
+    writeOut(textOf(difference, flip.mean));
   } else {
-    writeJson(options.json, reportOf(options, image, difference));
+    writeJson(options.json, reportOf(options, image, difference, flip.mean));
   }
-  return 0;
+  const double value = valueOf(options.metric, difference, flip.mean);
+  if (!options.threshold || value <= *options.threshold) return 0;
+  say(fmt::format("{} is {:.4g}, above the threshold of {:.4g}", options.metric, value,
+                  *options.threshold));
+  return 1;
 }
 
 }  // namespace glimt

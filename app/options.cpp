@@ -121,6 +121,24 @@ void addPicture(CLI::App& command, PictureOptions& picture) {
   addGles(command, picture.gles);
 }
 
+// What only pictures that are kept are asked for.
+void addSampling(CLI::App& command, PictureOptions& picture) {
+  add(command, "--record", "packed|wide", "How hits are stored (packed)",
+      [&](const std::string& text) {
+        picture.record = parseChoice("--record", text, {"packed", "wide"});
+      });
+  add(command, "--sampler", "sobol|random", "Where random numbers come from (sobol)",
+      [&](const std::string& text) {
+        const bool random = parseChoice("--sampler", text, {"sobol", "random"}) == "random";
+        picture.sampler = random ? Sampler::random : Sampler::sobol;
+      });
+  add(command, "--clamp", "X",
+      "Dim samples of a luminance above X: fewer specks, and less light (never)",
+      [&](const std::string& text) {
+        picture.clamp = static_cast<float>(parseNumberBetween("--clamp", text, 0, 1e9));
+      });
+}
+
 void addLimits(CLI::App& command, RenderOptions& options) {
   add(command, "--spp", "N",
       "End after N samples per pixel (256, unless --time or --noise is given)",
@@ -169,6 +187,19 @@ std::vector<Number> parseList(const std::string& option, const std::string& text
   return numbers;
 }
 
+// The options that were given and that glimt render takes too, but for those of a report.
+std::string repeated(const CLI::App& command) {
+  const std::vector<std::string> own{"--output", "--time", "--reference", "--size", "--quiet"};
+  std::string text;
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    const bool taken = option->count() > 0 && name.starts_with("--") &&
+                       std::find(own.begin(), own.end(), name) == own.end();
+    if (taken) text += fmt::format("{}{} {}", text.empty() ? "" : " ", name, option->results()[0]);
+  }
+  return text;
+}
+
 Camera cameraNamed(const std::string& name, const Scene& scene) {
   std::vector<std::string> names;
   for (const NamedCamera& named : scene.cameras) {
@@ -200,10 +231,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
   });
   addPicture(command, options.picture);
   addBackend(command, options.backend);
-  add(command, "--record", "packed|wide", "How hits are stored (packed)",
-      [&](const std::string& text) {
-        options.picture.record = parseChoice("--record", text, {"packed", "wide"});
-      });
+  addSampling(command, options.picture);
   addJson(command, options.json);
   command
       .add_option("--dump-shaders", options.shader_folder,
@@ -228,6 +256,16 @@ void addInfoOptions(CLI::App& command, InfoOptions& options) {
 void addCompareOptions(CLI::App& command, CompareOptions& options) {
   command.add_option("A", options.image, "The picture to judge")->type_name("")->required();
   command.add_option("B", options.reference, "What it should look like")->type_name("")->required();
+  command.add_option("-o,--output", options.output, "Where they differ, as a .png")
+      ->type_name("FILE");
+  add(command, "--threshold", "X", "Exit with 1 where the difference is above X",
+      [&](const std::string& text) {
+        options.threshold = parseNumberBetween("--threshold", text, -1e-300, 1e30);
+      });
+  add(command, "--metric", "flip|relmse|mse|noise", "Which difference that is (flip)",
+      [&](const std::string& text) {
+        options.metric = parseChoice("--metric", text, {"flip", "relmse", "mse", "noise"});
+      });
   addJson(command, options.json);
 }
 
@@ -257,6 +295,25 @@ void addBenchOptions(CLI::App& command, BenchOptions& options) {
   addBackend(command, options.backend);
   addJson(command, options.json);
   command.add_option("--chart", options.chart, "Draw the results as SVG")->type_name("FILE");
+}
+
+void addAccuracyOptions(CLI::App& command, AccuracyOptions& options) {
+  addScene(command, options.scene);
+  addVariant(command, options.load);
+  command.add_option("-o,--output", options.folder, "Folder of the report")
+      ->type_name("DIR")
+      ->required();
+  addPicture(command, options.picture);
+  addSampling(command, options.picture);
+  add(command, "--time", "S", "Take about S seconds for all of it (150)",
+      [&](const std::string& text) {
+        options.seconds = parseNumberBetween("--time", text, 0, 1e6);
+      });
+  add(command, "--reference", "FILE", "A converged picture to measure against (renders one)",
+      [&](const std::string& text) { options.reference = text; });
+  addBackend(command, options.backend);
+  command.add_flag("--quiet", options.quiet, "Say nothing but errors");
+  command.callback([&] { options.arguments = repeated(command); });
 }
 
 void addDoctorOptions(CLI::App& command, DoctorOptions& options) {
@@ -299,6 +356,8 @@ RenderSettings settingsOf(const PictureOptions& options, const Scene& scene) {
   settings.seed = options.seed;
   settings.traversal = options.traversal;
   settings.record = options.record;
+  settings.sampler = options.sampler;
+  settings.clamp = options.clamp;
   return settings;
 }
 

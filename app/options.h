@@ -36,6 +36,8 @@ struct PictureOptions {
   std::uint32_t seed = 0;
   std::string traversal = "auto";
   std::string record = "packed";
+  Sampler sampler = Sampler::sobol;
+  std::optional<float> clamp;
   int gles = 2;
 };
 
@@ -44,6 +46,7 @@ struct ViewOptions;
 struct InfoOptions;
 struct CompareOptions;
 struct BenchOptions;
+struct AccuracyOptions;
 struct DoctorOptions;
 
 // What the options hold is valid once the command line has been parsed. Errors: usage.
@@ -52,6 +55,7 @@ void addViewOptions(CLI::App& command, ViewOptions& options);
 void addInfoOptions(CLI::App& command, InfoOptions& options);
 void addCompareOptions(CLI::App& command, CompareOptions& options);
 void addBenchOptions(CLI::App& command, BenchOptions& options);
+void addAccuracyOptions(CLI::App& command, AccuracyOptions& options);
 void addDoctorOptions(CLI::App& command, DoctorOptions& options);
 
 // The scene's camera with the parts that the options replace. Errors: usage, for a name that the

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 #include <optional>
 
@@ -30,6 +31,11 @@ constexpr int kLeastForForecast = 16;
 constexpr int kMostForForecast = 64;
 constexpr double kSecondsForForecast = 10;
 
+// How long to look for what the limits leave out: a small part of the time, where there is much.
+double limitSeconds(double render_seconds) {
+  return std::clamp(0.02 * render_seconds, 0.05, 5.0);
+}
+
 std::string failureOf(const Sampling& sampling) {
   const int saved = sampling.picture.samples;
   const std::string later = sampling.samples > saved
@@ -55,6 +61,7 @@ class RenderCommand {
   Sampling render(Renderer& renderer);
   Sampling sampleFor(Renderer& renderer);
   std::string lossesOf(Renderer& renderer) const;
+  void measureLimits(Renderer& renderer);
   void writePictures(const Picture& picture, const Scene& scene) const;
   void warn(const std::string& what);
   void endIfInterrupted() const;
@@ -84,6 +91,7 @@ void RenderCommand::run() {
 
   writePictures(sampling.picture, scene);
   report_.total = clock_.seconds();
+  if (sampling.ended_by != EndedBy::interrupt && sampling.failure.empty()) measureLimits(renderer);
   writeJson(options_.json, jsonOf(report_));
   if (!sampling.failure.empty()) throw Error(ErrorKind::failed, failureOf(sampling));
   if (!report_.forecast.empty() && options_.json != "-") writeOut(textOf(report_.forecast));
@@ -193,6 +201,20 @@ std::string RenderCommand::lossesOf(Renderer& renderer) const {
   } catch (const Error&) {  // GL fails, but the picture is there already
   }
   return warningOf(report_.nonfinite_pixels, last, loop_limit);
+}
+
+// The pictures are there already.
+void RenderCommand::measureLimits(Renderer& renderer) {
+  if (!report_.noise || (options_.quiet && options_.json.empty())) return;
+  progress_.show("measuring what the limits leave out");
+  try {
+    report_.limits = glimt::measureLimits(renderer, report_.settings, report_.noise->relative,
+                                          limitSeconds(report_.render));
+  } catch (const Error& error) {
+    warn(fmt::format("what the limits leave out is not known: {}", error.what()));
+  }
+  progress_.clear();
+  report_.measure_limits = clock_.seconds() - report_.total;
 }
 
 // A file that cannot be written does not keep the others from being written.

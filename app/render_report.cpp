@@ -17,7 +17,8 @@ Json secondsOf(const RenderReport& report) {
           {"compile", rounded(report.statistics.compile_seconds)},
           {"first_sample", rounded(report.first_sample)},
           {"render", rounded(report.render)},
-          {"total", rounded(report.total)}};
+          {"total", rounded(report.total)},
+          {"measure_limits", rounded(report.measure_limits)}};
 }
 
 // What a sample took with each traversal that was tried; null where none was.
@@ -52,6 +53,25 @@ Json noiseOf(const RenderReport& report) {
           {"likely", report.noise->relative},
           {"low", report.noise->lower},
           {"exponent", report.noise->exponent()}};
+}
+
+// Noise and limits have nothing to do with each other, so their squares add up.
+double errorOf(const NoiseEstimate& noise, const LimitError& limits) {
+  return std::hypot(noise.relative, limits.both);
+}
+
+// What the limits cost, where it is at least half of what the noise does.
+std::string limitsText(const RenderReport& report) {
+  if (!report.limits) return "";
+  const LimitError& limits = *report.limits;
+  const double worth_it = 0.5 * report.noise->relative;
+  std::string text;
+  if (limits.truncation >= worth_it)
+    text += fmt::format(", {} beyond {} (--bounces {} would do)", percent(limits.truncation),
+                        counted(static_cast<std::uintmax_t>(report.settings.bounces), "bounce"),
+                        limits.enough_bounces);
+  if (limits.clamp >= worth_it) text += fmt::format(", {} clamped", percent(limits.clamp));
+  return text;
 }
 
 // As far as the noise is known.
@@ -105,8 +125,17 @@ Json jsonOf(const RenderReport& report) {
                {"noise", noiseOf(report)},
                {"ended_by", nameOf(report.ended_by)},
                {"truncation", nullptr},
+               {"enough_bounces", nullptr},
+               {"clamped", nullptr},
+               {"error", nullptr},
                {"nonfinite_pixels", report.nonfinite_pixels},
                {"warnings", report.warnings}};
+  if (report.limits) {
+    json["truncation"] = report.limits->truncation;
+    json["enough_bounces"] = report.limits->enough_bounces;
+    json["clamped"] = report.limits->clamp;
+    json["error"] = errorOf(*report.noise, *report.limits);
+  }
   if (!report.forecast.empty()) json["forecast"] = jsonOf(report.forecast);
   return json;
 }
@@ -137,9 +166,9 @@ std::string summaryOf(const RenderReport& report) {
   // "llvmpipe (LLVM 15.0.6, 256 bits)" says more than the line has room for.
   const std::string& gl = report.context.renderer;
   const std::string device = gl.substr(0, gl.find(" ("));
-  return fmt::format("{}: {} in {:.1f} s ({:.3g} samples/s){}, {}, {}, {}", files,
+  return fmt::format("{}: {} in {:.1f} s ({:.3g} samples/s){}{}, {}, {}, {}", files,
                      counted(report.samples, "sample"), report.render,
-                     report.samples / report.render, noiseText(report),
+                     report.samples / report.render, noiseText(report), limitsText(report),
                      counted(report.statistics.triangles, "triangle"), traversalOf(report), device);
 }
 

@@ -9,6 +9,7 @@
 #include "app/forecast.h"
 #include "app/json_output.h"
 #include "app/sampling.h"
+#include "renderer/limit_error.h"
 #include "renderer/renderer.h"
 
 namespace glimt {
@@ -24,6 +25,7 @@ struct RenderReport {
   int nonfinite_pixels = 0;
   std::optional<NoiseEstimate> noise;
   std::optional<double> noise_goal;
+  std::optional<LimitError> limits;  // none where the noise is not known
   EndedBy ended_by = EndedBy::samples;
   std::vector<ForecastRow> forecast;  // where it was asked for
   // Seconds. `first_sample` is how long after the start the first sample was complete; `total` is
@@ -32,6 +34,7 @@ struct RenderReport {
   double first_sample = 0;
   double render = 0;
   double total = 0;
+  double measure_limits = 0;  // what came after that
   std::vector<std::string> warnings;
 };
 

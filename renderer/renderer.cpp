@@ -69,7 +69,9 @@ class Renderer::State {
       : device(deviceFor(context, settings.traversal, scene.triangles.size())),
         triangles(scene.triangles.size()),
         tracer(device, scene,
-               {settings.bounces, settings.seed, settings.traversal, settings.record}, progress),
+               {settings.bounces, settings.seed, settings.traversal, settings.record,
+                settings.sampler, settings.clamp},
+               progress),
         trial(tracer.candidates()),
         noise(device) {
     tracer.resize(settings.width, settings.height);
@@ -192,6 +194,16 @@ void Renderer::setCamera(const Camera& camera) {
 
 void Renderer::resize(int width, int height) {
   state_->tracer.resize(width, height);
+  state_->restart();
+}
+
+void Renderer::setLimits(const LightLimits& limits) {
+  state_->tracer.setLimits(limits);
+  state_->restart();
+}
+
+void Renderer::setSampler(Sampler sampler, std::uint32_t seed) {
+  state_->tracer.setSampler(sampler, seed);
   state_->restart();
 }
 

@@ -13,7 +13,9 @@
 
 #include "renderer/core/context_info.h"
 #include "renderer/core/image.h"
+#include "renderer/core/light_limits.h"
 #include "renderer/core/noise_estimate.h"
+#include "renderer/core/sampler.h"
 #include "renderer/core/tone.h"
 #include "renderer/core/traversal_time.h"
 #include "renderer/core/work_progress.h"
@@ -63,6 +65,8 @@ struct RenderSettings {
   std::uint32_t seed = 0;
   std::string traversal = "auto";  // the likeliest to be fast; after two seconds, the fastest
   std::string record = "packed";   // how hits are kept: "packed", or "wide", which needs ES 3.0
+  Sampler sampler = Sampler::sobol;
+  std::optional<float> clamp;  // see LightLimits; none: samples are as bright as they are
 };
 
 struct RenderStatistics {
@@ -113,6 +117,11 @@ class Renderer {
   // Starts the picture again.
   void setCamera(const Camera& camera);
   void resize(int width, int height);
+
+  // The same with other limits, and with other random numbers. There can be a clamp only if
+  // RenderSettings had one.
+  void setLimits(const LightLimits& limits);
+  void setSampler(Sampler sampler, std::uint32_t seed);
 
   // Adds one sample to every pixel. Errors, here and in advance(): failed, when GL is out of
   // memory, loses the context or notes another error. The complete samples stay, and picture()

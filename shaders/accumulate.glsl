@@ -8,7 +8,11 @@ uniform sampler2D uBlock;
 
 void main() {
   vec2 at = pictureAddress(pixelCenter());
-  vec4 sum = sampleForBlock(texture2D(uRadiance, at).rgb);
+  vec3 radiance = texture2D(uRadiance, at).rgb;
+#if CLAMP
+  if (isGoodSample(radiance)) radiance = clampedSample(radiance);
+#endif
+  vec4 sum = sampleForBlock(radiance);
 #if !ADDITIVE_BLENDING
   sum += texture2D(uBlock, at);
 #endif

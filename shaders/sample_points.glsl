@@ -14,10 +14,12 @@ vec4 shiftedPoint(vec2 pixel, vec4 point, vec4 offsets_shift) {
   return fract(point + texture2D(uOffsets, at * (1.0 / OFFSETS_SIZE)));
 }
 
-// Of the points of the four groups, a pixel's own.
-vec4 ownPoint(vec2 pixel, vec4 first, vec4 second, vec4 third, vec4 fourth) {
-  vec2 odd = mod(floor(pixel), 2.0);
-  return mix(mix(first, second, odd.x), mix(third, fourth, odd.x), odd.y);
+// Of the points of the four groups, a pixel's own. They are multiples of 2^-23, so no sum rounds, and
+// what is between them is the same for all pixels.
+vec4 ownPoint(vec2 pixel, vec4 first, vec4 right, vec4 above, vec4 both) {
+  vec2 odd = 2.0 * fract(0.5 * pixel) - 0.5;
+  return first + odd.x * (right - first) +
+         odd.y * ((above - first) + odd.x * ((both - above) - (right - first)));
 }
 
 vec4 samplePoint(vec2 pixel) {

@@ -64,7 +64,7 @@ WholePathTracer::WholePathTracer(const gl::Device& device, const Scene& scene,
       paths_(device.gl(), form == PathForm::loop ? "loop" : "unrolled",
              composeVertexShader(traversalNamed(settings.traversal).gles),
              composePathProbe(effectsOf(scene), settings.traversal, pathText(surfaces_, form))),
-      accumulation_(device) {}
+      accumulation_(device, settings.clamp) {}
 
 void WholePathTracer::resize(int width, int height) {
   radiance_ = gl::Target(gl::Texture::floats(device_->gl(), device_->floatForm(), width, height));

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "renderer/core/error.h"
+#include "renderer/core/luminance.h"
 
 namespace glimt {
 namespace {
@@ -26,11 +27,6 @@ void demandFinite(const Image& image, const char* which) {
 // Where both are dark there is nothing to tell apart.
 float ratio(double image, double reference) {
   return image == reference ? 1.0f : static_cast<float>(image / reference);
-}
-
-// Rec. 709.
-double luminance(const Vec3& radiance) {
-  return glm::dot(glm::dvec3(radiance), glm::dvec3(0.2126, 0.7152, 0.0722));
 }
 
 // See NoiseEstimate.

@@ -11,7 +11,7 @@ struct ImageDifference {
   double relative_mse = 0;  // mean of (I - R)^2 / (R^2 + 0.01) over pixels and channels
   double psnr = 0;          // decibels, against the reference's largest value; infinite when equal
   double largest = 0;       // largest absolute difference of one channel
-  double noise = 0;         // as NoiseEstimate defines it, the reference being the converged picture
+  double noise = 0;  // as NoiseEstimate defines it, the reference being the converged picture
 };
 
 // Both pictures have the same size. Errors: input, naming both sizes, when they have not; and when

@@ -7,9 +7,10 @@
 namespace glimt {
 namespace {
 
-gl::Program makeProgram(const gl::Device& device, Pass pass) {
+gl::Program makeProgram(const gl::Device& device, Pass pass, bool clamp = false) {
   ShaderRequest request;
   request.pass = pass;
+  request.clamp = clamp;
   request.additive_blending = device.floatBlending();
   return {device.gl(), nameOf(pass), composeVertexShader(), composeFragmentShader(request)};
 }
@@ -23,10 +24,11 @@ Vec4 meanWithBlock(const Vec4& mean, const Vec4& block) {
 
 }  // namespace
 
-Accumulation::Accumulation(const gl::Device& device)
+Accumulation::Accumulation(const gl::Device& device, const std::optional<float>& clamp)
     : device_(&device),
-      accumulate_(makeProgram(device, Pass::accumulate)),
-      close_block_(makeProgram(device, Pass::close_block)) {}
+      accumulate_(makeProgram(device, Pass::accumulate, clamp.has_value())),
+      close_block_(makeProgram(device, Pass::close_block)),
+      clamp_(clamp.value_or(0)) {}
 
 void Accumulation::resize(int width, int height) {
   mean_ = TargetPair(*device_, width, height);
@@ -47,6 +49,7 @@ void Accumulation::use(gl::Program& program) const {
 void Accumulation::add(const gl::Texture& radiance, const gl::Tile& tile) {
   use(accumulate_);
   accumulate_.set("uRadiance", radiance);
+  accumulate_.set("uClamp", clamp_);
   gl::DrawState state;
   if (device_->floatBlending()) {
     state.adding = true;

@@ -1,6 +1,7 @@
 // The mean of the samples of a picture.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "renderer/gl/device.h"
@@ -13,7 +14,11 @@ namespace glimt {
 // see shaders/sample_mean.glsl. All draws can be cut into tiles.
 class Accumulation {
  public:
-  explicit Accumulation(const gl::Device& device);
+  // `clamp` is the luminance above which samples are dimmed, none for never.
+  explicit Accumulation(const gl::Device& device, const std::optional<float>& clamp = std::nullopt);
+
+  // Takes another clamp for the samples to come, where there was one from the beginning.
+  void setClamp(float clamp) { clamp_ = clamp; }
 
   // Forgets all samples. Errors: as TargetPair.
   void resize(int width, int height);
@@ -40,6 +45,7 @@ class Accumulation {
   const gl::Device* device_;
   gl::Program accumulate_;
   gl::Program close_block_;
+  float clamp_;
   TargetPair mean_;
   TargetPair block_;  // two only where the device cannot blend floats
 };

@@ -55,6 +55,10 @@ int cellSide(const Image& image, std::size_t most) {
   return side;
 }
 
+std::size_t mostCells(const Environment& environment) {
+  return environment.most_cells == 0 ? kMostCells : std::min(environment.most_cells, kMostCells);
+}
+
 }  // namespace
 
 EnvironmentCells environmentCells(const Image& image, std::size_t most) {
@@ -119,7 +123,7 @@ EnvironmentMap::EnvironmentMap(const gl::Device& device, const Environment& envi
   for (const Vec3& pixel : image.pixels) texels.emplace_back(pixel, 1);
   picture_ =
       gl::Texture::floats(device.gl(), device.floatForm(), image.width, image.height, texels);
-  EnvironmentCells cells = environmentCells(image, kMostCells);
+  EnvironmentCells cells = environmentCells(image, mostCells(environment));
   cells_ =
       gl::Texture::floats(device.gl(), device.floatForm(), cells.width, cells.height, cells.texels);
   scale_ = environment.shines() ? environment.radiance() : Vec3(0);

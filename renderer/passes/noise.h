@@ -26,8 +26,8 @@ struct ChangeSums {
 // on:
 //   V(n) = a / n + b / n^1.5,
 // the first part being what is as random as with independent samples, the second what is smooth but
-// for edges (Mitchell 1996, "Consequences of stratified sampling in graphics"). The changes at two doublings give a : b. With b = 0 the change at one is the
-// variance of the mean of two halves.
+// for edges (Mitchell 1996, "Consequences of stratified sampling in graphics"). The changes at two
+// doublings give a : b. With b = 0 the change at one is the variance of the mean of two halves.
 class Noise {
  public:
   // The first doubling whose change is known: from 4 to 8 samples.
@@ -44,7 +44,7 @@ class Noise {
   int doubled_ = kFirst;  // samples at the last doubling
   // The power of the samples by which the changes fall from one doubling to the next. Known
   // beforehand: light that has met a few surfaces is hardly smooth.
-  double exponent_ = 1.1;
+  double exponent_ = 1.15;
   double variance_ = 0.15 * 0.15;  // of the exponent
 };
 

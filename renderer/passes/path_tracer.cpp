@@ -24,6 +24,9 @@ constexpr int kTileStep = 64;
 // to be waited for.
 constexpr double kFewAlive = 0.01;
 
+// No sample that is finite is brighter.
+constexpr float kNeverClamped = 1e30f;
+
 // Whether a packed hit record is of a path that has met a triangle; see shaders/hit_record.glsl,
 // whose first channel holds the triangle in its mantissa.
 bool isPackedHit(const Vec4& record) {
@@ -59,7 +62,7 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
                        const PathTracerSettings& settings, const SceneTree& tree,
                        const WorkProgress& progress)
     : device_(&device),
-      points_(settings.seed),
+      points_(settings.seed, settings.sampler),
       candidates_(candidateTraversals(settings.traversal, tree.bvh, device.info(),
                                       mostTexels(device.maxTextureSize()))),
       traversal_(candidates_.front()),
@@ -70,7 +73,7 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
       effects_(withForced(effectsOf(scene), forced_)),
       bounces_(settings.bounces),
       live_only_(settings.live_only && canDrawLiveOnly(device)),
-      accumulation_(device),
+      accumulation_(device, settings.clamp),
       camera_(scene.camera),
       query_(device.gl()) {
   planStages();
@@ -163,6 +166,21 @@ void PathTracer::resize(int width, int height) {
   if (width == film_.width() && height == film_.height()) return;
   film_ = Film(*device_, width, height, record_.samplers.size());
   accumulation_.resize(width, height);
+  restart();
+}
+
+void PathTracer::setLimits(const LightLimits& limits) {
+  bounces_ = limits.bounces;
+  accumulation_.setClamp(limits.clamp.value_or(kNeverClamped));
+  rays_counted_ = false;
+  alive_.clear();
+  restart();
+  compile({});  // the first bounce, where there was none
+}
+
+void PathTracer::setSampler(Sampler sampler, std::uint32_t seed) {
+  points_ = SamplePoints(seed, sampler);
+  offsets_ = points_.makeOffsets(*device_);
   restart();
 }
 

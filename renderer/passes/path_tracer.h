@@ -2,10 +2,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "renderer/core/light_limits.h"
 #include "renderer/gl/device.h"
 #include "renderer/gl/program.h"
 #include "renderer/gl/query.h"
@@ -23,6 +25,8 @@ struct PathTracerSettings {
   std::uint32_t seed = 0;
   std::string traversal = "auto";
   std::string record = "packed";  // see records.h
+  Sampler sampler = Sampler::sobol;
+  std::optional<float> clamp = std::nullopt;  // see LightLimits
   bool live_only =
       true;  // passes are drawn for live paths only, where the device can; same picture
   // Effects that are compiled and run although the scene does not call for them, with what they
@@ -49,6 +53,12 @@ class PathTracer {
   // Compiles where the camera calls for other effects than the one before.
   void setCamera(const Camera& camera);
   void resize(int width, int height);
+
+  // Begins again with other limits. Only a tracer that was made with a clamp can have one.
+  void setLimits(const LightLimits& limits);
+
+  // Begins again with other random numbers.
+  void setSampler(Sampler sampler, std::uint32_t seed);
 
   // Forgets all samples.
   void restart();

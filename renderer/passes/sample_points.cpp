@@ -86,10 +86,15 @@ float toUnit(std::uint32_t x) {
 
 Vec4 SamplePoints::point(std::uint32_t sample, std::uint32_t set, std::uint32_t group) const {
   const std::uint32_t set_seed = hash(hash(seed_, set), group);
+  Vec4 point;
+  if (sampler_ == Sampler::random) {
+    const std::uint32_t of_sample = hash(set_seed, sample);
+    for (std::uint32_t d = 0; d < 4; ++d) point[static_cast<int>(d)] = toUnit(hash(of_sample, d));
+    return point;
+  }
   // Scrambling an index shuffles each aligned block of 2^k of them among themselves, so the first
   // 2^k points remain a net.
   const std::uint32_t index = scramble(sample, set_seed);
-  Vec4 point;
   for (std::size_t d = 0; d < 4; ++d)
     point[static_cast<int>(d)] =
         toUnit(scramble(sobol(index, d), hash(set_seed, static_cast<std::uint32_t>(d) + 1)));

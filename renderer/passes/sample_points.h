@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "renderer/core/sampler.h"
 #include "renderer/core/vector.h"
 #include "renderer/gl/device.h"
 #include "renderer/gl/program.h"
@@ -24,10 +25,12 @@ constexpr std::uint32_t kLensSet = 0xffffffffu;
 
 // Every pass of every bounce takes one four-dimensional point per sample: a set of dimensions. The
 // points of a set are Sobol's, shuffled and scrambled by nested uniform permutations, as in Burley
-// 2020, "Practical Hash-based Owen Scrambling", JCGT 10(4).
+// 2020, "Practical Hash-based Owen Scrambling", JCGT 10(4). Or, with Sampler::random, they are
+// independent.
 class SamplePoints {
  public:
-  explicit SamplePoints(std::uint32_t seed) : seed_(seed) {}
+  explicit SamplePoints(std::uint32_t seed, Sampler sampler = Sampler::sobol)
+      : seed_(seed), sampler_(sampler) {}
 
   // In [0, 1)^4, each coordinate a multiple of 2^-23. `group` says which of POINT_GROUPS sequences
   // it is of, that are scrambled independently of each other.
@@ -47,6 +50,7 @@ class SamplePoints {
 
  private:
   std::uint32_t seed_;
+  Sampler sampler_;
 };
 
 }  // namespace glimt

@@ -109,6 +109,9 @@ struct Environment {
   float strength = 1;
   Image image;         // of all directions, equirectangular: its top up, +x in its centre; or none
   float rotation = 0;  // of the picture about +y, in degrees, counter-clockwise seen from above
+  // At most so many cells of the sky are told apart where light is looked for; 0: as many as may
+  // be.
+  std::size_t most_cells = 0;
 
   // Of an even environment, without a picture.
   Vec3 radiance() const { return color * strength; }

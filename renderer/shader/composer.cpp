@@ -81,13 +81,18 @@ constexpr const char* kTraversal = "traverse_*.glsl";
 constexpr const char* kRecordInput = "*_record_input.glsl";
 constexpr const char* kRecordOutput = "*_record_output.glsl";
 
+// Stands for what dims bright samples, where that was asked for.
+constexpr const char* kClamp = "sample_clamp.glsl";
+
 // Stands for the file of the tone that was asked for.
 constexpr const char* kTone = "tone_*.glsl";
 
 // In the order in which they are put together: a file comes after those that it calls.
 const auto kPieces = std::to_array<Piece>({
     {"layout.h", kPaths | bit(Pass::change), {}},
-    {"picture.glsl", kPaths | kEscape | bit(Pass::accumulate) | bit(Pass::close_block) | kNoise, {}},
+    {"picture.glsl",
+     kPaths | kEscape | bit(Pass::accumulate) | bit(Pass::close_block) | kNoise,
+     {}},
     {"constants.glsl", kPaths | kEscape, {}},
     {"sample_points.glsl", kPaths, {}},
     {"float_fields.glsl", kPaths | kEscape, {}},
@@ -162,6 +167,7 @@ const auto kPieces = std::to_array<Piece>({
     {"light_pass.glsl", kLight, {}},
     {"whole_path.glsl", kWholePath, {}},
     {"sample_mean.glsl", kMeans, {}},
+    {kClamp, bit(Pass::accumulate), {}},
     {"accumulate.glsl", bit(Pass::accumulate), {}},
     {"close_block.glsl", bit(Pass::close_block), {}},
     {"luminance.glsl", kNoise, {}},
@@ -193,21 +199,28 @@ std::string capitalsOf(Effect effect) {
   return name;
 }
 
-// What the `#if`s of the files ask for: the pass, the device and, in `effects`, the scene.
-std::map<std::string, bool> answers(unsigned pass, const EffectSet& effects, bool additive_blending,
-                                    bool live_only) {
+// What the `#if`s of the files ask for.
+std::map<std::string, bool> answers(unsigned pass, const ShaderRequest& request) {
   std::map<std::string, bool> values = {
       {"FROM_CAMERA", (pass & (kCamera | kWholePath)) != 0},
       {"FROM_RECORD", (pass & (kTrace | kWholePath)) != 0},
-      {"ADDITIVE_BLENDING", additive_blending},
-      {"LIVE_ONLY", live_only},
+      {"ADDITIVE_BLENDING", request.additive_blending},
+      {"LIVE_ONLY", request.live_only},
+      {"CLAMP", request.clamp},
   };
   for (int i = 0; i < kEffectCount; ++i) {
     const auto effect = static_cast<Effect>(i);
-    values[capitalsOf(effect)] = has(effects, effect);
+    values[capitalsOf(effect)] = has(request.effects, effect);
   }
   return values;
 }
+
+// Probes write what they find, and add nothing.
+const ShaderRequest kProbe = [] {
+  ShaderRequest request;
+  request.additive_blending = false;
+  return request;
+}();
 
 struct ToneShader {
   const char* function;
@@ -226,19 +239,24 @@ ToneShader shaderOf(Tone tone) {
   return {"displayTransform", ""};
 }
 
-std::string pieces(unsigned pass, const EffectSet& effects, const std::string& traversal,
-                   const std::string& record, Tone tone = Tone::srgb) {
+std::string clampText() {
+  return shaderText("luminance.glsl") + shaderText(kClamp);
+}
+
+std::string pieces(unsigned pass, const ShaderRequest& request) {
   const auto textOf = [&](const char* file) {
-    if (file == kTraversal) return traversalText(traversal);
-    if (file == kTone) return *shaderOf(tone).file ? shaderText(shaderOf(tone).file) : "";
-    if (file == kRecordInput) return shaderText(recordNamed(record).input_file);
-    if (file == kRecordOutput) return shaderText(recordNamed(record).output_file);
+    const ToneShader tone = shaderOf(request.tone);
+    if (file == kTraversal) return traversalText(request.traversal);
+    if (file == kClamp) return request.clamp ? clampText() : "";
+    if (file == kTone) return *tone.file ? shaderText(tone.file) : "";
+    if (file == kRecordInput) return shaderText(recordNamed(request.record).input_file);
+    if (file == kRecordOutput) return shaderText(recordNamed(request.record).output_file);
     return shaderText(file);
   };
   std::string text;
   for (const Piece& piece : kPieces) {
     if (!(piece.passes & pass)) continue;
-    if (!isMet(piece.condition, effects)) continue;
+    if (!isMet(piece.condition, request.effects)) continue;
     text += textOf(piece.file);
   }
   return text;
@@ -247,9 +265,8 @@ std::string pieces(unsigned pass, const EffectSet& effects, const std::string& t
 }  // namespace
 
 std::string nameOf(Pass pass) {
-  constexpr std::array kNames{"camera",     "trace",       "escape", "light",
-                              "accumulate", "close block",
-                              "keep",       "change",      "display"};
+  constexpr std::array kNames{"camera",      "trace", "escape", "light",  "accumulate",
+                              "close block", "keep",  "change", "display"};
   return kNames[static_cast<std::size_t>(pass)];
 }
 
@@ -271,9 +288,7 @@ std::string composeFragmentShader(const ShaderRequest& request) {
          (request.pass == Pass::display
               ? fmt::format("#define DISPLAY_TRANSFORM {}\n", shaderOf(request.tone).function)
               : "") +
-         takeBranches(
-             pieces(pass, request.effects, request.traversal, request.record, request.tone),
-             answers(pass, request.effects, request.additive_blending, request.live_only));
+         takeBranches(pieces(pass, request), answers(pass, request));
 }
 
 std::string composeFragmentShader(Pass pass) {
@@ -284,7 +299,7 @@ std::string composeFragmentShader(Pass pass) {
 
 std::string composeProbe(const std::vector<std::string>& files, const std::string& text) {
   std::string shader = startFor(2);
-  const std::map<std::string, bool> values = answers(0, {}, false, false);
+  const std::map<std::string, bool> values = answers(0, kProbe);
   for (const std::string& file : files) shader += takeBranches(shaderText(file), values);
   return shader + text;
 }
@@ -296,7 +311,7 @@ std::string composeTraversalProbe(const std::string& traversal, const std::strin
     for (const Insertion& insertion : insertions)
       if (insertion.file == file) shader += insertion.text;
   };
-  const std::map<std::string, bool> values = answers(0, {}, false, false);
+  const std::map<std::string, bool> values = answers(0, kProbe);
   const auto add = [&](const std::string& file) {
     shader += takeBranches(shaderText(file), values);
     insertBehind(file);
@@ -313,10 +328,11 @@ std::string composeTraversalProbe(const std::string& traversal, const std::strin
 
 std::string composePathProbe(const EffectSet& effects, const std::string& traversal,
                              const std::string& text) {
+  ShaderRequest request = kProbe;
+  request.effects = effects;
+  request.traversal = traversal;
   return startFor(traversalNamed(traversal).gles) +
-         takeBranches(pieces(kWholePath, effects, traversal, "packed"),
-                      answers(kWholePath, effects, false, false)) +
-         text;
+         takeBranches(pieces(kWholePath, request), answers(kWholePath, request)) + text;
 }
 
 }  // namespace glimt

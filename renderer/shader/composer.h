@@ -30,6 +30,7 @@ struct ShaderRequest {
   std::string record = "packed";     // see records.h
   bool additive_blending = true;     // radiance is added by blending, not by reading
   Tone tone = Tone::srgb;            // of the display pass
+  bool clamp = false;                // bright samples are dimmed; of the accumulate pass
   bool live_only = false;            // draws are limited to live paths; see escape_pass.glsl
   int gles = 2;                      // the OpenGL ES version whose language it is written in
 };
@@ -43,7 +44,8 @@ std::string composeVertexShader(int gles = 2);
 // Errors: usage, for a traversal or a record that does not exist.
 std::string composeFragmentShader(const ShaderRequest& request);
 
-// The same for a pass that depends on nothing but itself: accumulate, close_block, keep, change, display.
+// The same for a pass that depends on nothing but itself: accumulate, close_block, keep, change,
+// display.
 std::string composeFragmentShader(Pass pass);
 
 // A fragment shader from the prelude, the named files and some text of the caller's own: for probes

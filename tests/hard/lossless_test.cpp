@@ -40,8 +40,12 @@ double closedError(const Scene& scene, int bounces, int samples) {
   return relativeError(meanRadiance(image), furnaceRadiance(1, bounces));
 }
 
+// The weights of paths through rough glass differ by as much as what they are a mean of: of 18
+// times as many the mean's deviation is 0.1%.
 double outsideError(const Scene& scene) {
-  const Image image = hardPicture(scene, settingsFor(kSize, 64), 64);
+  const bool rough = scene.materials.front().roughness > 0.5f;
+  const Image image = rough ? hardPicture(scene, settingsFor(3 * kSize, 64), 128)
+                            : hardPicture(scene, settingsFor(kSize, 64), 64);
   return relativeError(meanRadiance(image), 1);
 }
 

@@ -30,8 +30,11 @@ TEST_CASE("samples that are not finite are left out of the mean and counted") {
   CHECK(renderer.nonfinitePixels() < 32 * 32);
   CHECK(renderer.lastLosses().not_finite == renderer.nonfinitePixels());
   CHECK(renderer.lastLosses().cut_short == 0);
-  const Vec3 wall = image.pixels[16 * 32 + 20];
-  CHECK(wall.g == Approx(0.5).epsilon(0.05));
+  // Most light samples go to the light that is so bright, so one pixel's mean tells little.
+  double wall = 0;
+  for (int y = 0; y < 32; ++y)
+    for (int x = 17; x < 32; ++x) wall += image.pixels[static_cast<std::size_t>(y * 32 + x)].g;
+  CHECK(wall / (32 * 15) == Approx(0.5).epsilon(0.05));
 }
 
 TEST_CASE("an empty scene shows the environment, or black") {
