@@ -17,6 +17,7 @@ Json secondsOf(const RenderReport& report) {
           {"compile", rounded(report.statistics.compile_seconds)},
           {"first_sample", rounded(report.first_sample)},
           {"render", rounded(report.render)},
+          {"noise", rounded(report.statistics.noise_seconds)},
           {"total", rounded(report.total)},
           {"measure_limits", rounded(report.measure_limits)}};
 }

@@ -75,7 +75,7 @@ grep "^,," "$folder/before.csv" | cmp -s - "$folder/again.csv" && fail "not meas
 
 ends 2 "-o" accuracy "$folder/a scene.scene.json"
 ends 3 "no-such" accuracy "$folder/no-such.obj" -o "$folder/report"
-ends 3 "5x5" accuracy "$folder/scene.obj" -o "$folder/report" --time 4 --reference "$folder/report/reference.pfm" --size 5x5
+ends 3 "5x5" accuracy "$folder/a scene.scene.json" -o "$folder/report" --time 4 --reference "$folder/report/reference.pfm" --size 5x5
 
 a=$folder/report/reference.pfm
 b=$folder/report/as-asked-1.pfm

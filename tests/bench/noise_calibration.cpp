@@ -1,6 +1,7 @@
 // Whether the noise that is claimed is the true one: renders a scene with many seeds, each until
 // the noise of 10%, 5% and 2% is reached, and compares every picture with the mean of all the
-// others'. Prints a row of a table for each goal. usage: noise_calibration SCENE SIDE SEEDS
+// others'. Prints a row of a table for each goal, the first GOALS of them.
+// usage: noise_calibration SCENE SIDE SEEDS [GOALS]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,15 +34,15 @@ struct Stop {
 };
 
 struct Run {
-  std::array<Stop, kGoals.size()> stops;
+  std::vector<Stop> stops;  // for each goal
   std::vector<Forecast> forecasts;
 };
 
-Run renderToGoals(Renderer& renderer) {
+Run renderToGoals(Renderer& renderer, std::size_t goals) {
   Run run;
   std::size_t goal = 0;
   double next = 8;
-  while (goal < kGoals.size()) {
+  while (goal < goals) {
     renderer.renderSample();
     if (renderer.samples() < next) continue;
     next = 1.03 * renderer.samples();
@@ -50,8 +51,8 @@ Run renderToGoals(Renderer& renderer) {
     for (std::size_t i = 0; i < kGoals.size(); ++i)
       forecast.wanted[i] = noise.samplesFor(kGoals[i]);
     run.forecasts.push_back(forecast);
-    for (; goal < kGoals.size() && noise.upper <= kGoals[goal]; ++goal)
-      run.stops[goal] = {noise, renderer.radiance()};
+    for (; goal < goals && noise.upper <= kGoals[goal]; ++goal)
+      run.stops.push_back({noise, renderer.radiance()});
   }
   return run;
 }
@@ -106,9 +107,10 @@ double forecastsWithin(const std::vector<Run>& runs, std::size_t goal) {
 
 void printRows(const std::string& name, const std::vector<Run>& runs) {
   const Image sum = sumOfLast(runs);
+  const std::size_t goals = runs.front().stops.size();
   const double of_reference =
-      meanOf(squaredNoise(runs, sum, kGoals.size() - 1)) / static_cast<double>(runs.size());
-  for (std::size_t goal = 0; goal < kGoals.size(); ++goal) {
+      meanOf(squaredNoise(runs, sum, goals - 1)) / static_cast<double>(runs.size());
+  for (std::size_t goal = 0; goal < goals; ++goal) {
     const std::vector<double> squares = squaredNoise(runs, sum, goal);
     int below = 0;
     std::vector<double> ratios, samples;
@@ -126,7 +128,7 @@ void printRows(const std::string& name, const std::vector<Run>& runs) {
   }
 }
 
-void calibrate(const std::filesystem::path& file, int side, int seeds) {
+void calibrate(const std::filesystem::path& file, int side, int seeds, std::size_t goals) {
   const Scene scene = loadScene(file);
   ContextHandle context = createOffscreenContext(Backend::automatic, 2);
   RenderSettings settings;
@@ -136,7 +138,7 @@ void calibrate(const std::filesystem::path& file, int side, int seeds) {
   for (int seed = 1; seed <= seeds; ++seed) {
     settings.seed = static_cast<std::uint32_t>(seed);
     Renderer renderer(context, scene, settings);
-    runs.push_back(renderToGoals(renderer));
+    runs.push_back(renderToGoals(renderer, goals));
   }
   printRows(file.stem().stem().string(), runs);
 }
@@ -145,8 +147,11 @@ void calibrate(const std::filesystem::path& file, int side, int seeds) {
 
 int main(int argc, char** argv) {
   try {
-    if (argc != 4) throw std::invalid_argument("usage: noise_calibration SCENE SIDE SEEDS");
-    calibrate(argv[1], std::atoi(argv[2]), std::atoi(argv[3]));
+    if (argc < 4 || argc > 5)
+      throw std::invalid_argument("usage: noise_calibration SCENE SIDE SEEDS [GOALS]");
+    const std::size_t goals = argc < 5 ? kGoals.size() : std::strtoul(argv[4], nullptr, 10);
+    calibrate(argv[1], std::atoi(argv[2]), std::atoi(argv[3]),
+              std::clamp<std::size_t>(goals, 1, kGoals.size()));
   } catch (const std::exception& error) {
     fmt::print(stderr, "noise_calibration: {}\n", error.what());
     return 1;
