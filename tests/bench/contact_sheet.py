@@ -17,7 +17,7 @@ from PIL import Image, ImageDraw, ImageFont
 FOLDERS = ["cornell", "obj", "gltf", "gltf-blender-io", "vehicles", "xmas"]
 KINDS = {".obj", ".gltf", ".glb", ".xz"}
 # Not stated, for research only, or with a trademark in them.
-NOT_SHOWN = ["CornellBox-Glossy", "CornellBox-Empty-Squashed", "stanford-", "suzanne", "motorcycle.glb",
+NOT_SHOWN = ["CornellBox-Glossy", "CornellBox-Empty-Squashed", "stanford-", "suzanne", "motorcycle",
              "BoxTextured"]
 SIDE, GAP, TEXT, COLUMNS = 128, 6, 16, 8
 
