@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/accuracy/measurement.h"
+#include "app/accuracy/report_data.h"
 #include "app/accuracy/report_page.h"
 #include "app/accuracy/variants.h"
 #include "app/commands.h"
@@ -37,16 +38,16 @@ class AccuracyCommand {
 
  private:
   void makeFolder() const;
+  Scene load();
   AccuracyPlan planFor(const Scene& scene, const RenderSettings& settings) const;
   RenderSettings measuredSettings(const RenderSettings& settings) const;
   double timeFactor(const Scene& scene, const RenderSettings& settings,
                     const RenderSettings& measured) const;
   void report(const std::string& what, double share);
+  void write(const ReportSubject& subject, const AccuracyResult& result, const Scene& scene);
   std::string png(const std::string& name, const DisplayImage& image) const;
   std::vector<ReportPicture> picturesOf(const AccuracyResult& result, float exposure,
                                         Tone tone) const;
-  Json jsonReport(const ReportSubject& subject, const AccuracyResult& result) const;
-  std::string csvReport(const ReportSubject& subject, const AccuracyResult& result) const;
 
   const AccuracyOptions& options_;
   Stopwatch clock_;
@@ -162,57 +163,35 @@ std::vector<ReportPicture> AccuracyCommand::picturesOf(const AccuracyResult& res
   return pictures;
 }
 
-Json AccuracyCommand::jsonReport(const ReportSubject& subject, const AccuracyResult& result) const {
-  Json curves = Json::array();
-  for (const AccuracyCurve& curve : result.curves) curves.push_back(jsonOf(curve));
-  Json ways = Json::array();
-  for (const Recommendation& way : recommendationsOf(result.curves))
-    ways.push_back({{"error", way.goal},
-                    {"samples", way.samples},
-                    {"seconds", way.seconds * subject.time_factor},
-                    {"command", commandOf(subject, result.curves[way.curve], way.samples)}});
-  return {{"scene", subject.scene},
-          {"width", subject.width},
-          {"height", subject.height},
-          {"measured_width", subject.measured_width},
-          {"measured_height", subject.measured_height},
-          {"time_factor", subject.time_factor},
-          {"gl_renderer", result.context.renderer},
-          {"reference",
-           {{"samples", result.reference_samples},
-            {"noise", result.reference_noise},
-            {"bounces", result.reference_bounces}}},
-          {"budget", jsonOf(result.budget)},
-          {"recommended", ways},
-          {"curves", curves}};
+Scene AccuracyCommand::load() {
+  progress_.show(fmt::format("loading {}", options_.scene.string()));
+  Scene scene = loadScene(options_.scene, {options_.load.variant, options_.picture.environment});
+  scene.camera = cameraOf(options_.picture.camera, scene);
+  progress_.clear();
+  if (!options_.quiet)
+    for (const std::string& warning : scene.warnings) say("warning: " + warning);
+  return scene;
 }
 
-std::string AccuracyCommand::csvReport(const ReportSubject& subject,
-                                       const AccuracyResult& result) const {
-  std::string csv = "knob,value,samples,seconds,error\n";
-  for (const AccuracyCurve& curve : result.curves)
-    for (const AccuracyPoint& point : curve.points)
-      csv += fmt::format("{},{},{},{:.6g},{:.6g}\n", curve.knob, curve.value, point.samples,
-                         point.seconds * subject.time_factor, point.error);
-  return csv;
+void AccuracyCommand::write(const ReportSubject& subject, const AccuracyResult& result,
+                            const Scene& scene) {
+  progress_.show("writing the report");
+  const std::vector<ReportPicture> pictures =
+      picturesOf(result, exposureOf(options_.picture, scene), toneOf(options_.picture, scene));
+  writeFile(options_.folder / "report.json", jsonReport(subject, result).dump(2) + "\n");
+  writeFile(options_.folder / "report.csv", csvReport(subject, result));
+  writeFile(options_.folder / "report.html", reportPage(subject, result, pictures));
+  progress_.clear();
 }
 
 void AccuracyCommand::run() {
   makeFolder();
-  const Scene loaded = [&] {
-    progress_.show(fmt::format("loading {}", options_.scene.string()));
-    Scene scene = loadScene(options_.scene, {options_.load.variant, options_.picture.environment});
-    scene.camera = cameraOf(options_.picture.camera, scene);
-    return scene;
-  }();
-  progress_.clear();
-  if (!options_.quiet)
-    for (const std::string& warning : loaded.warnings) say("warning: " + warning);
-  const RenderSettings settings = settingsOf(options_.picture, loaded);
+  const Scene scene = load();
+  const RenderSettings settings = settingsOf(options_.picture, scene);
   const RenderSettings measured = measuredSettings(settings);
   interrupt_.emplace();
   const AccuracyResult result =
-      measureAccuracy(planFor(loaded, measured), loaded,
+      measureAccuracy(planFor(scene, measured), scene,
                       [this](const std::string& what, double share) { report(what, share); });
   progress_.show("how long the whole picture takes");
   const ReportSubject subject{options_.scene.string(),
@@ -221,15 +200,9 @@ void AccuracyCommand::run() {
                               settings.height,
                               measured.width,
                               measured.height,
-                              timeFactor(loaded, settings, measured),
+                              timeFactor(scene, settings, measured),
                               GLIMT_VERSION};
-  progress_.show("writing the report");
-  const auto pictures =
-      picturesOf(result, exposureOf(options_.picture, loaded), toneOf(options_.picture, loaded));
-  writeFile(options_.folder / "report.json", jsonReport(subject, result).dump(2) + "\n");
-  writeFile(options_.folder / "report.csv", csvReport(subject, result));
-  writeFile(options_.folder / "report.html", reportPage(subject, result, pictures));
-  progress_.clear();
+  write(subject, result, scene);
   if (!options_.quiet)
     sayPlain(fmt::format("{} in {}", (options_.folder / "report.html").string(),
                          duration(clock_.seconds())));

@@ -50,8 +50,8 @@ struct FrontierPoint {
 };
 std::vector<FrontierPoint> frontierOf(const std::vector<AccuracyCurve>& curves);
 
-// The cheapest way to an error, by the fits. Only curves with options for the command line count,
-// and the first, which is of what was asked for.
+// The cheapest way to an error, by the fits: what was asked for, which is the first, or a curve with
+// options for the command line that is clearly cheaper.
 struct Recommendation {
   double goal = 0;
   std::size_t curve = 0;
