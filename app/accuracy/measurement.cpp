@@ -19,6 +19,7 @@ namespace glimt {
 namespace {
 
 constexpr double kReferenceShare = 0.35;  // of the time
+constexpr double kSharesAsAsked = 5;      // of the rest
 constexpr double kLimitSeconds = 0.7;
 constexpr int kMostSamples = 1 << 20;
 
@@ -44,6 +45,10 @@ bool isPoint(int samples) {
   return std::has_single_bit(static_cast<unsigned>(samples));
 }
 
+double sharesOf(const AccuracyVariant& variant) {
+  return variant.knob.empty() ? kSharesAsAsked : 1;
+}
+
 class Measurement {
  public:
   Measurement(const AccuracyPlan& plan, const Scene& scene, const AccuracyProgress& progress)
@@ -63,7 +68,7 @@ class Measurement {
   void makeRenderer(const AccuracyVariant& variant);
   const LimitError& limitsOf(const AccuracyVariant& variant, double noise);
   ErrorBudget budgetOf(const AccuracyVariant& variant, const AccuracyCurve& curve, double noise);
-  double secondsEach() const;
+  double secondsFor(const AccuracyVariant& variant) const;
   void show(const std::string& what);
 
   const AccuracyPlan& plan_;
@@ -167,11 +172,12 @@ void Measurement::demandSize() const {
                           settings.width, settings.height));
 }
 
-// Of the time that is left, the variants that are left have the same.
-double Measurement::secondsEach() const {
+// What was asked for is what the others are compared with, and has the time of several of them.
+double Measurement::secondsFor(const AccuracyVariant& variant) const {
   const double all = (1 - kReferenceShare) * plan_.seconds;
+  const double shares = static_cast<double>(plan_.variants.size()) - 1 + kSharesAsAsked;
   // Compiling and building take their part.
-  return std::max(0.75 * all / static_cast<double>(plan_.variants.size()), 0.2);
+  return std::max(0.75 * all * sharesOf(variant) / shares, 0.2);
 }
 
 void Measurement::addPoint(const AccuracyVariant& variant, double seconds, AccuracyCurve& curve) {
@@ -248,7 +254,7 @@ void Measurement::measure(const AccuracyVariant& variant) {
   }
   show(variant.name());
   makeRenderer(variant);
-  AccuracyCurve curve = render(variant, secondsEach());
+  AccuracyCurve curve = render(variant, secondsFor(variant));
   const std::optional<NoiseEstimate> estimate = renderer_->noiseNow();
   const double noise = estimate ? estimate->relative : 0;
   curve.stays = limitsOf(variant, noise).both;
@@ -263,7 +269,8 @@ AccuracyResult Measurement::run() {
   steps_done_ = kReferenceShare;
   for (const AccuracyVariant& variant : plan_.variants) {
     measure(variant);
-    steps_done_ += (1 - kReferenceShare) / static_cast<double>(plan_.variants.size());
+    steps_done_ += (1 - kReferenceShare) * sharesOf(variant) /
+                   (static_cast<double>(plan_.variants.size()) - 1 + kSharesAsAsked);
   }
   if (!context_) context_.emplace(createOffscreenContext(plan_.backend, 2));
   result_.context = context_->info();
