@@ -94,7 +94,8 @@ std::vector<Recommendation> recommendationsOf(const std::vector<AccuracyCurve>& 
       const std::optional<double> samples = fit.samplesFor(goal);
       if (!samples || fit.seconds_per_sample == 0) continue;
       const double seconds = *samples * fit.seconds_per_sample;
-      if (!best || seconds < kClearly * best->seconds) best = Recommendation{goal, i, *samples, seconds};
+      if (!best || seconds < kClearly * best->seconds)
+        best = Recommendation{goal, i, *samples, seconds};
     }
     if (best) out.push_back(*best);
   }
@@ -104,8 +105,10 @@ std::vector<Recommendation> recommendationsOf(const std::vector<AccuracyCurve>& 
 Json jsonOf(const AccuracyCurve& curve) {
   Json points = Json::array();
   for (const AccuracyPoint& point : curve.points)
-    points.push_back(
-        {{"samples", point.samples}, {"seconds", point.seconds}, {"error", point.error}});
+    points.push_back({{"samples", point.samples},
+                      {"seconds", point.seconds},
+                      {"error", point.error},
+                      {"noise", point.noise}});
   return {{"knob", curve.knob},
           {"value", curve.value},
           {"options", curve.options},
@@ -116,7 +119,8 @@ Json jsonOf(const AccuracyCurve& curve) {
 AccuracyCurve accuracyCurveOf(const Json& json) {
   AccuracyCurve curve{json.at("knob"), json.at("value"), json.at("options"), json.at("stays"), {}};
   for (const Json& point : json.at("points"))
-    curve.points.push_back({point.at("samples"), point.at("seconds"), point.at("error")});
+    curve.points.push_back(
+        {point.at("samples"), point.at("seconds"), point.at("error"), point.value("noise", 0.0)});
   return curve;
 }
 

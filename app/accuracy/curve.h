@@ -14,6 +14,7 @@ struct AccuracyPoint {
   double seconds = 0;  // of sampling
   double error = 0;    // against the reference, without what the reference itself is wrong by; as
                        // NoiseEstimate defines it
+  double noise = 0;    // as it was estimated while rendering; 0 where it was not known yet
 };
 
 struct AccuracyCurve {
@@ -50,8 +51,8 @@ struct FrontierPoint {
 };
 std::vector<FrontierPoint> frontierOf(const std::vector<AccuracyCurve>& curves);
 
-// The cheapest way to an error, by the fits: what was asked for, which is the first, or a curve with
-// options for the command line that is clearly cheaper.
+// The cheapest way to an error, by the fits: what was asked for, which is the first, or a curve
+// with options for the command line that is clearly cheaper.
 struct Recommendation {
   double goal = 0;
   std::size_t curve = 0;

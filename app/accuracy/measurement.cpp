@@ -45,6 +45,14 @@ bool isPoint(int samples) {
   return std::has_single_bit(static_cast<unsigned>(samples));
 }
 
+// Of the last picture whose noise is known; else none.
+ErrorBudget budgetOf(const AccuracyCurve& curve, const LimitError& limits) {
+  const AccuracyPoint& last = curve.points.back();
+  if (last.noise == 0) return {};
+  return {last.samples, last.noise, limits.truncation,    limits.clamp,
+          limits.both,  last.error, limits.enough_bounces};
+}
+
 double sharesOf(const AccuracyVariant& variant) {
   return variant.knob.empty() ? kSharesAsAsked : 1;
 }
@@ -67,7 +75,6 @@ class Measurement {
   void addPoint(const AccuracyVariant& variant, double seconds, AccuracyCurve& curve);
   void makeRenderer(const AccuracyVariant& variant);
   const LimitError& limitsOf(const AccuracyVariant& variant, double noise);
-  ErrorBudget budgetOf(const AccuracyVariant& variant, const AccuracyCurve& curve, double noise);
   double secondsFor(const AccuracyVariant& variant) const;
   void show(const std::string& what);
 
@@ -186,7 +193,9 @@ void Measurement::addPoint(const AccuracyVariant& variant, double seconds, Accur
   const double difference = differenceOf(image, reference_).noise;
   const double own = result_.reference_noise;
   if (difference < kLeastOfReference * own) return;
-  curve.points.push_back({samples, seconds, std::sqrt(difference * difference - own * own)});
+  const std::optional<NoiseEstimate> noise = renderer_->noiseNow();
+  curve.points.push_back({samples, seconds, std::sqrt(difference * difference - own * own),
+                          noise ? noise->relative : 0});
   if (variant.knob.empty()) writeImage(plan_.folder / pictureFile(variant.name(), samples), image);
 }
 
@@ -226,19 +235,6 @@ const LimitError& Measurement::limitsOf(const AccuracyVariant& variant, double n
   return limits_.back().second;
 }
 
-// The parts of the error, of a picture whose noise was estimated.
-ErrorBudget Measurement::budgetOf(const AccuracyVariant& variant, const AccuracyCurve& curve,
-                                  double noise) {
-  const LimitError& limits = limitsOf(variant, noise);
-  return {curve.points.back().samples,
-          noise,
-          limits.truncation,
-          limits.clamp,
-          limits.both,
-          curve.points.back().error,
-          limits.enough_bounces};
-}
-
 ErrorBudget errorBudgetOf(const Json& json) {
   return {json.at("samples"), json.at("noise"),    json.at("truncation"),    json.at("clamp"),
           json.at("limits"),  json.at("measured"), json.at("enough_bounces")};
@@ -255,10 +251,9 @@ void Measurement::measure(const AccuracyVariant& variant) {
   show(variant.name());
   makeRenderer(variant);
   AccuracyCurve curve = render(variant, secondsFor(variant));
-  const std::optional<NoiseEstimate> estimate = renderer_->noiseNow();
-  const double noise = estimate ? estimate->relative : 0;
-  curve.stays = limitsOf(variant, noise).both;
-  if (first && estimate) result_.budget = budgetOf(variant, curve, noise);
+  const LimitError& limits = limitsOf(variant, curve.points.back().noise);
+  curve.stays = limits.both;
+  if (first) result_.budget = budgetOf(curve, limits);
   keep(curveFile(variant.name()),
        {{"curve", jsonOf(curve)}, {"budget", first ? jsonOf(result_.budget) : Json()}});
   result_.curves.push_back(std::move(curve));

@@ -3,8 +3,8 @@
 
 usage: accuracy_figures.py DOCS_IMAGES FOLDER...     (needs python3-numpy and python3-pil)
 
-Writes accuracy-curves.svg, the error of every folder's scene against time, and from the first folder
-accuracy-glance.png, its picture after more and more time. Prints the rows of the tables.
+Writes accuracy-curves.svg, the error of every folder's scene against time, and accuracy-glance.png, the
+picture of the most exact one after more and more time. Prints the rows of the tables.
 """
 import json
 import math
@@ -49,9 +49,9 @@ class Report:
 
 
 def glance(report, file):
-    side, gap, text = 200, 8, 46
+    side, gap, text = 180, 8, 46
     points = report.curves[0]["points"]
-    chosen = [p for p in points if p["samples"] in (1, 4, 16)] + [points[-1]]
+    chosen = [points[round(i * (len(points) - 1) / 4)] for i in range(5)]
     font = ImageFont.load_default()
     for name in ("DejaVuSans.ttf", "LiberationSans-Regular.ttf"):
         try:
@@ -144,7 +144,7 @@ def main():
     images = pathlib.Path(sys.argv[1])
     reports = [Report(folder) for folder in sys.argv[2:]]
     curves(reports, images / "accuracy-curves.svg")
-    glance(reports[0], images / "accuracy-glance.png")
+    glance(min(reports, key=lambda report: report.points()[-1][1]), images / "accuracy-glance.png")
     print_tables(reports)
 
 
