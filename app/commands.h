@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/options.h"
@@ -69,7 +70,8 @@ struct AccuracyOptions {
   LoadSettings load;
   std::filesystem::path folder;
   PictureOptions picture;
-  std::string arguments;  // what was asked of the picture but its size, as on the command line
+  // What was asked of the picture but its size, as on the command line: names and values.
+  std::vector<std::pair<std::string, std::string>> arguments;
   std::optional<std::filesystem::path> reference;
   double seconds = 150;
   Backend backend = Backend::automatic;

@@ -188,16 +188,16 @@ std::vector<Number> parseList(const std::string& option, const std::string& text
 }
 
 // The options that were given and that glimt render takes too, but for those of a report.
-std::string repeated(const CLI::App& command) {
+std::vector<std::pair<std::string, std::string>> repeated(const CLI::App& command) {
   const std::vector<std::string> own{"--output", "--time", "--reference", "--size", "--quiet"};
-  std::string text;
+  std::vector<std::pair<std::string, std::string>> given;
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name();
     const bool taken = option->count() > 0 && name.starts_with("--") &&
                        std::find(own.begin(), own.end(), name) == own.end();
-    if (taken) text += fmt::format("{}{} {}", text.empty() ? "" : " ", name, option->results()[0]);
+    if (taken) given.emplace_back(name, option->results()[0]);
   }
-  return text;
+  return given;
 }
 
 Camera cameraNamed(const std::string& name, const Scene& scene) {

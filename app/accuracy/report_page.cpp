@@ -228,12 +228,13 @@ class Page {
 }  // namespace
 
 std::string commandOf(const ReportSubject& subject, const AccuracyCurve& curve, double samples) {
-  const auto optional = [](const std::string& options) {
-    return options.empty() ? "" : " " + options;
-  };
-  return fmt::format("glimt render {} -o picture.png --spp {:.0f} --size {}x{}{}{}",
-                     quoted(subject.scene), samples, subject.width, subject.height,
-                     optional(subject.options), optional(curve.options));
+  std::string command = fmt::format("glimt render {} -o picture.png --spp {:.0f} --size {}x{}",
+                                    quoted(subject.scene), samples, subject.width, subject.height);
+  // What the variant turns takes the place of what was asked for.
+  for (const auto& [name, value] : subject.options)
+    if ((curve.options + " ").find(name + " ") == std::string::npos)
+      command += fmt::format(" {} {}", name, quoted(value));
+  return curve.options.empty() ? command : command + " " + curve.options;
 }
 
 std::string reportPage(const ReportSubject& subject, const AccuracyResult& result,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/accuracy/measurement.h"
@@ -15,9 +16,9 @@ struct ReportPicture {
 };
 
 struct ReportSubject {
-  std::string scene;    // as on the command line
-  std::string options;  // what was asked for there beside the defaults
-  int width = 0;        // that the picture is to have
+  std::string scene;                                         // as on the command line
+  std::vector<std::pair<std::string, std::string>> options;  // names and values given there
+  int width = 0;                                             // that the picture is to have
   int height = 0;
   int measured_width = 0;  // that it was measured with
   int measured_height = 0;
