@@ -65,8 +65,8 @@ double energyInside(const Material& white, double degrees, int bounces) {
   scene.camera = furnace(0).camera;
   scene.camera.position *= 0.5f;
   tiltNormals(scene, degrees);
-  // The weights of rough metal's paths multiply: of a quarter of these samples the mean would deviate
-  // by as much as is lost.
+  // The weights of rough metal's paths multiply: of a quarter of these samples the mean would
+  // deviate by as much as is lost.
   const bool noisy = white.metallic == 1 && white.roughness > 0.5f;
   const int size = slowDriver() && !noisy ? 16 : 24;
   return meanRadiance(hardPicture(scene, settingsFor(size, bounces), noisy ? 256 : 32)) /
