@@ -36,9 +36,10 @@ END {
   if (broken) exit 1
   print "# Hard cases\n"
   print "Written by tests/hard/table.sh from reports of the hard cases. A figure has to be at most its"
-  print "bound; one that is not is bold and marked. A dash: the case did not run on that driver."
+  print "bound; one that is not is bold and marked. A dash: the case did not run on that driver"
+  print "(softpipe is an interpreter, and takes more than a quarter of an hour for gloss and glass)."
   if ("nvidia" in seen)
-    print "nvidia is an H100 through EGL, with the same binaries; ./dev hard runs the others."
+    print "nvidia is an H200 through EGL (an H100 in the groups accumulation, leakage and light), with the same\nbinaries; ./dev hard runs the others."
   print ""
   printf "| Group | Case | Measured | Bound |"
   for (d = 1; d <= driverCount; ++d) printf " %s |", drivers[d]
