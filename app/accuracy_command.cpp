@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/message.h"
+#include "app/output_files.h"
 #include "app/progress.h"
 #include "app/stopwatch.h"
 #include "renderer/core/display_transform.h"
@@ -37,7 +38,6 @@ class AccuracyCommand {
   void run();
 
  private:
-  void makeFolder() const;
   Scene load();
   AccuracyPlan planFor(const Scene& scene, const RenderSettings& settings) const;
   RenderSettings measuredSettings(const RenderSettings& settings) const;
@@ -54,15 +54,6 @@ class AccuracyCommand {
   std::optional<Interrupt> interrupt_;
   Progress progress_;
 };
-
-void AccuracyCommand::makeFolder() const {
-  std::error_code error;
-  std::filesystem::create_directories(options_.folder, error);
-  if (error)
-    throw Error(ErrorKind::failed,
-                fmt::format("{}: cannot make the folder ({}); name another",
-                            printable(options_.folder.string()), error.message()));
-}
 
 RenderSettings AccuracyCommand::measuredSettings(const RenderSettings& settings) const {
   RenderSettings measured = settings;
@@ -140,7 +131,7 @@ std::string AccuracyCommand::png(const std::string& name, const DisplayImage& im
 std::vector<ReportPicture> AccuracyCommand::picturesOf(const AccuracyResult& result, float exposure,
                                                        Tone tone) const {
   const DisplayImage reference =
-      displayImage(readImage(options_.folder / "reference.pfm"), exposure, tone);
+      displayImage(readImage(options_.folder / kReferencePicture), exposure, tone);
   std::vector<ReportPicture> pictures;
   const auto add = [&](const std::string& name, const std::string& file) {
     const DisplayImage image = displayImage(readImage(options_.folder / file), exposure, tone);
@@ -185,7 +176,7 @@ void AccuracyCommand::write(const ReportSubject& subject, const AccuracyResult& 
 }
 
 void AccuracyCommand::run() {
-  makeFolder();
+  makeFolder(options_.folder);
   const Scene scene = load();
   const RenderSettings settings = settingsOf(options_.picture, scene);
   const RenderSettings measured = measuredSettings(settings);

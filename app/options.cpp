@@ -19,7 +19,6 @@
 namespace glimt {
 namespace {
 
-constexpr int kMostBounces = 64;
 constexpr double kMostExposure = 64;
 // Between the least tube that is still round and what fits into a texture.
 constexpr std::int64_t kLeastBenchTriangles = 100;

@@ -8,6 +8,7 @@
 
 #include "renderer/core/error.h"
 #include "renderer/core/file.h"
+#include "renderer/core/wording.h"
 
 namespace glimt {
 namespace {
@@ -43,6 +44,14 @@ void checkWritable(const fs::path& file) {
   const std::string fault = faultOf(file);
   if (fault.empty()) return;
   throw Error(ErrorKind::usage, fmt::format("{}: cannot be written: {}", file.string(), fault));
+}
+
+void makeFolder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error) return;
+  throw Error(ErrorKind::failed, fmt::format("{}: cannot make the folder ({}); name another",
+                                             printable(folder.string()), error.message()));
 }
 
 }  // namespace glimt

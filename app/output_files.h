@@ -8,4 +8,7 @@ namespace glimt {
 // protected, or it is a folder itself. Errors: usage.
 void checkWritable(const std::filesystem::path& file);
 
+// With those above it, where they are not there. Errors: failed.
+void makeFolder(const std::filesystem::path& folder);
+
 }  // namespace glimt

@@ -114,12 +114,7 @@ Renderer RenderCommand::makeRenderer(ContextHandle& context, const Scene& scene)
 }
 
 void RenderCommand::writeShaders(const Renderer& renderer) const {
-  std::error_code error;
-  std::filesystem::create_directories(options_.shader_folder, error);
-  if (error)
-    throw Error(ErrorKind::failed,
-                fmt::format("{}: cannot make the folder ({}); name another",
-                            printable(options_.shader_folder.string()), error.message()));
+  makeFolder(options_.shader_folder);
   for (const auto& [pass, text] : renderer.shaders())
     writeFile(options_.shader_folder / (pass + ".frag"), text);
 }

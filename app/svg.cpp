@@ -20,7 +20,9 @@ std::string listOf(const std::vector<Point>& points) {
   return list;
 }
 
-std::string escaped(std::string_view text) {
+}  // namespace
+
+std::string escapedMarkup(std::string_view text) {
   std::string result;
   for (const char c : text) {
     switch (c) {
@@ -44,8 +46,6 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-}  // namespace
-
 Svg::Svg(double width, double height) : width_(width), height_(height) {
   rectangle({0, 0}, {width, height}, "#ffffff");
 }
@@ -58,7 +58,7 @@ void Svg::text(const Point& at, std::string_view text, const TextStyle& style) {
   body_ += fmt::format(
       "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\" text-anchor=\"{}\"{}{}>{}</text>\n",
       pixels(at.x), pixels(at.y), pixels(style.size), style.color, style.anchor,
-      style.bold ? " font-weight=\"bold\"" : "", turn, escaped(text));
+      style.bold ? " font-weight=\"bold\"" : "", turn, escapedMarkup(text));
 }
 
 void Svg::line(const Point& from, const Point& to, const LineStyle& style) {

@@ -12,6 +12,9 @@ struct Point {
   double y = 0;
 };
 
+// Text in which XML and HTML read no markup.
+std::string escapedMarkup(std::string_view text);
+
 struct TextStyle {
   double size = 12;
   std::string_view color = "#222222";

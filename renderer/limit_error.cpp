@@ -18,7 +18,6 @@ constexpr double kMostPixels = 48 * 48;
 
 // Light is followed until more bounces add less than this share of it, or so many times.
 constexpr double kHardlyAny = 5e-4;
-constexpr int kMostBounces = 64;
 
 constexpr int kLeastSamples = 2;
 constexpr int kMostSamples = 64;

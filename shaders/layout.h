@@ -48,8 +48,10 @@
 //   1: emission r, g, b; density of light samples on the surface, per square metre, negative where
 //   both sides emit
 //   2: roughness, specular, ior, transmission
-//   3: what absorbs inside, r, g, b, per metre, 0 where light does not get in; 1 if thin-walled, else 0
-//   4: clear coat, its roughness, roughness of the sheen, square of gloss_albedo.glsl for rough glass
+//   3: what absorbs inside, r, g, b, per metre, 0 where light does not get in; 1 if
+//   thin-walled, else 0
+//   4: clear coat, its roughness, roughness of the sheen, square of gloss_albedo.glsl for
+//   rough glass
 //   5: colour of the sheen r, g, b, free
 //   6: alpha; below which alpha it is a hole, negative where alpha is a share; scale of the normal
 //   map; 1 where vertex colours multiply the emission
@@ -93,8 +95,8 @@
 //   0: position x, y, z; 1, or unit direction towards the light x, y, z; 0
 //   1: intensity r, g, b, or irradiance; probability of choosing it
 //   2: unit direction in which it shines x, y, z; 1 / range^2, 0 for none
-//   3: a spot's brightness is (second + first * cosine)^2, within 0 and 1; of the alias table: share of
-//   the entry that goes to its own light, index of the other one
+//   3: a spot's brightness is (second + first * cosine)^2, within 0 and 1; of the alias table:
+//   share of the entry that goes to its own light, index of the other one
 #define PUNCTUAL_LIGHT_TEXELS 4.0
 
 // Samples that are summed before they become part of the mean: enough that the mean is updated

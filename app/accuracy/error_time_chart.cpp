@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "app/chart.h"
 #include "app/svg.h"
-#include "renderer/core/wording.h"
 
 namespace glimt {
 namespace {
@@ -17,7 +17,7 @@ constexpr double kHeight = 400;
 constexpr double kLeft = 58;
 constexpr double kRight = 16;
 constexpr double kTop = 40;
-constexpr double kBottom = 46;
+constexpr double kBottom = kHeight - 46;
 constexpr double kKeyLine = 18;
 constexpr std::string_view kQuiet = "#555555";
 constexpr std::string_view kGrid = "#e4e4e4";
@@ -50,8 +50,7 @@ class ErrorTimeChart {
  public:
   ErrorTimeChart(const std::string& title, const std::vector<ChartCurve>& curves,
                  const std::vector<AccuracyPoint>& marked, const std::string& note)
-      : bottom_(kHeight - kBottom),
-        svg_(kWidth, kHeight + kKeyLine * keyLines(curves.size() + (note.empty() ? 0 : 1))) {
+      : svg_(kWidth, kHeight + kKeyLine * keyLines(curves.size() + (note.empty() ? 0 : 1))) {
     for (const ChartCurve& curve : curves)
       for (const AccuracyPoint& point : curve.points) {
         if (!(point.error > 0)) continue;
@@ -76,7 +75,7 @@ class ErrorTimeChart {
 
   Point at(const AccuracyPoint& point) const {
     return {kLeft + (kWidth - kLeft - kRight) * times_.share(point.seconds),
-            bottom_ - (bottom_ - kTop) * errors_.share(point.error)};
+            kBottom - (kBottom - kTop) * errors_.share(point.error)};
   }
 
   static Point keyAt(std::size_t i) {
@@ -87,16 +86,16 @@ class ErrorTimeChart {
   void drawAxes() {
     for (const double seconds : ticksOf(times_)) {
       const double x = at({0, seconds, errors_.low}).x;
-      svg_.line({x, kTop}, {x, bottom_}, {kGrid, 1});
-      svg_.text({x, bottom_ + 16}, fmt::format("{:.6g} s", seconds), {12, kQuiet, "middle"});
+      svg_.line({x, kTop}, {x, kBottom}, {kGrid, 1});
+      svg_.text({x, kBottom + 16}, fmt::format("{:.6g} s", seconds), {12, kQuiet, "middle"});
     }
     for (const double error : ticksOf(errors_)) {
       const double y = at({0, times_.low, error}).y;
       svg_.line({kLeft, y}, {kWidth - kRight, y}, {kGrid, 1});
       svg_.text({kLeft - 6, y + 4}, fmt::format("{:.6g}%", 100 * error), {12, kQuiet, "end"});
     }
-    svg_.text({(kLeft + kWidth - kRight) / 2, bottom_ + 34}, "time", {12, kQuiet, "middle"});
-    svg_.text({14, (kTop + bottom_) / 2}, "error", {12, kQuiet, "middle", false, -90});
+    svg_.text({(kLeft + kWidth - kRight) / 2, kBottom + 34}, "time", {12, kQuiet, "middle"});
+    svg_.text({14, (kTop + kBottom) / 2}, "error", {12, kQuiet, "middle", false, -90});
   }
 
   void drawCurve(const ChartCurve& curve, std::string_view color, std::size_t i) {
@@ -113,7 +112,7 @@ class ErrorTimeChart {
   void drawRing(const Point& center) {
     std::vector<Point> ring;
     for (int i = 0; i <= 24; ++i) {
-      const double angle = i * 2 * 3.14159265358979 / 24;
+      const double angle = i * 2 * std::numbers::pi / 24;
       ring.push_back({center.x + 7 * std::cos(angle), center.y + 7 * std::sin(angle)});
     }
     svg_.polyline(ring, {"#d55e00", 1.6});
@@ -125,7 +124,6 @@ class ErrorTimeChart {
     svg_.text({key.x + 13, key.y + 4}, note, {12, kDark});
   }
 
-  double bottom_;
   Svg svg_;
   Range times_;
   Range errors_;

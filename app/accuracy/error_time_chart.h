@@ -16,7 +16,6 @@ struct ChartCurve {
 // As SVG. The first curve is drawn dark, the others in colours. `marked` are encircled, with
 // nothing said of them but what `note` says.
 std::string errorTimeChart(const std::string& title, const std::vector<ChartCurve>& curves,
-                           const std::vector<AccuracyPoint>& marked = {},
-                           const std::string& note = "");
+                           const std::vector<AccuracyPoint>& marked, const std::string& note);
 
 }  // namespace glimt

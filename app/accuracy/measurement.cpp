@@ -28,8 +28,6 @@ constexpr double kLeastOfReference = 1.5;
 
 constexpr std::uintmax_t kMostBytes = 1 << 24;  // of a piece of JSON
 
-constexpr const char* kReferencePicture = "reference.pfm";
-
 std::string fileNameOf(std::string name) {
   for (char& c : name)
     if (c == ' ' || c == '/') c = '-';

@@ -43,10 +43,13 @@ struct AccuracyResult {
   ErrorBudget budget;
 };
 
+// In the plan's folder.
+inline constexpr const char* kReferencePicture = "reference.pfm";
+
 // Told what is done next, and the share that is done.
 using AccuracyProgress = std::function<void(const std::string& what, double share)>;
 
-// Files in the plan's folder: reference.pfm, and for each variant its curve and its last picture,
+// Files in the plan's folder: the reference, and for each variant its curve and its last picture,
 // and of the first also the pictures of its first samples, see pictureFile(). `progress` may throw
 // to end it; what is complete is kept. Errors: input for a reference of another size, failed, and
 // those of the renderer.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/accuracy/error_time_chart.h"
+#include "app/svg.h"
 #include "renderer/core/wording.h"
 
 namespace glimt {
@@ -46,23 +47,6 @@ for (const id of ["left", "right", "slider", "difference"]) byId(id).addEventLis
 show();
 </script>
 )html";
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
 
 std::string base64(const std::string& bytes) {
   constexpr const char* kDigits =
@@ -115,9 +99,9 @@ class Page {
 
   void addTitle() {
     page_ = kHead;
-    add("<h1>What accuracy costs: {}</h1>\n", escaped(printable(subject_.scene)));
+    add("<h1>What accuracy costs: {}</h1>\n", escapedMarkup(printable(subject_.scene)));
     add("<p class=\"quiet\">{} x {} pixels on {}, glimt {}. ", subject_.width, subject_.height,
-        escaped(printable(result_.context.renderer)), escaped(subject_.version));
+        escapedMarkup(printable(result_.context.renderer)), escapedMarkup(subject_.version));
     if (subject_.measured_width != subject_.width)
       add("Measured with {} x {} pixels, whose error is the same; times are multiplied by {:.3g}, "
           "which is how much longer a sample of the whole picture takes. ",
@@ -142,7 +126,7 @@ class Page {
       add("<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"text\"><code>{}</code></td></tr>\n",
           percent(way.goal), grouped(static_cast<std::uintmax_t>(way.samples)),
           duration(wholeSeconds(way.seconds)),
-          escaped(commandOf(subject_, result_.curves[way.curve], way.samples)));
+          escapedMarkup(commandOf(subject_, result_.curves[way.curve], way.samples)));
     add("</table>\n<p class=\"quiet\">Errors that are not listed are below what the limits of "
         "every "
         "variant leave. Times beyond those measured follow from how the error fell.</p>\n");

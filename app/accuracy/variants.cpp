@@ -10,8 +10,6 @@
 namespace glimt {
 namespace {
 
-constexpr int kMostBounces = 64;
-
 class Variants {
  public:
   Variants(const Scene& scene, const RenderSettings& settings, int gles) : scene_(scene) {

@@ -1,13 +1,12 @@
 #include "renderer/core/flip.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "renderer/core/error.h"
+#include "renderer/core/image_difference.h"
+#include "renderer/core/srgb.h"
 
 namespace glimt {
 namespace {
@@ -37,11 +36,6 @@ struct Planes {
       channels[static_cast<std::size_t>(c)].push_back(static_cast<float>(color[c]));
   }
 };
-
-double linearOf(std::uint8_t byte) {
-  const double v = byte / 255.0;
-  return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-}
 
 // Relative to the white of D65, so that white is 1, 1, 1.
 Color relativeXyzOf(const Color& rgb) {
@@ -158,8 +152,8 @@ void blurAsSeen(Planes& planes) {
 Planes opponentPlanes(const DisplayImage& image) {
   Planes planes{image.width, image.height, {}};
   for (std::size_t i = 0; i + 2 < image.bytes.size(); i += 3)
-    planes.add(opponentOf(
-        {linearOf(image.bytes[i]), linearOf(image.bytes[i + 1]), linearOf(image.bytes[i + 2])}));
+    planes.add(opponentOf({linearOfSrgb(image.bytes[i]), linearOfSrgb(image.bytes[i + 1]),
+                           linearOfSrgb(image.bytes[i + 2])}));
   return planes;
 }
 
@@ -207,11 +201,7 @@ double colorErrorOf(double hyab) {
 }  // namespace
 
 FlipDifference flipOf(const DisplayImage& image, const DisplayImage& reference) {
-  if (image.width != reference.width || image.height != reference.height)
-    throw Error(ErrorKind::input,
-                fmt::format("the pictures are {}x{} and {}x{} pixels; only pictures of one size "
-                            "can be compared",
-                            image.width, image.height, reference.width, reference.height));
+  demandSameSize(image.width, image.height, reference.width, reference.height);
   Planes a = opponentPlanes(image);
   Planes b = opponentPlanes(reference);
   const std::array<Plane, 2> edges{featuresOf(a, false), featuresOf(b, false)};

@@ -46,13 +46,16 @@ double noiseOf(const Image& image, const Image& reference) {
 
 }  // namespace
 
+void demandSameSize(int width, int height, int reference_width, int reference_height) {
+  if (width == reference_width && height == reference_height) return;
+  throw Error(ErrorKind::input,
+              fmt::format("the pictures are {}x{} and {}x{} pixels; only pictures of one size can "
+                          "be compared",
+                          width, height, reference_width, reference_height));
+}
+
 ImageDifference differenceOf(const Image& image, const Image& reference) {
-  if (image.width != reference.width || image.height != reference.height) {
-    throw Error(ErrorKind::input,
-                fmt::format("the pictures are {}x{} and {}x{} pixels; only pictures of one size "
-                            "can be compared",
-                            image.width, image.height, reference.width, reference.height));
-  }
+  demandSameSize(image.width, image.height, reference.width, reference.height);
   demandFinite(image, "picture");
   demandFinite(reference, "reference");
 

@@ -5,6 +5,9 @@
 
 namespace glimt {
 
+// Errors: input, naming both sizes, when they are not the same.
+void demandSameSize(int width, int height, int reference_width, int reference_height);
+
 struct ImageDifference {
   Vec3 mean_ratio{1};       // mean(image) / mean(reference), per channel
   double mse = 0;           // mean squared difference over pixels and channels

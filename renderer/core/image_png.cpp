@@ -10,18 +10,16 @@
 #include "renderer/core/error.h"
 #include "renderer/core/image_codecs.h"
 #include "renderer/core/png_data.h"
+#include "renderer/core/srgb.h"
 #include "renderer/core/wording.h"
 
 namespace glimt {
 namespace {
 
-// IEC 61966-2-1.
-std::array<float, 256> linearOfSrgb() {
+std::array<float, 256> linearTable() {
   std::array<float, 256> table{};
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const double s = static_cast<double>(i) / 255.0;
-    table[i] = static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
-  }
+  for (std::size_t i = 0; i < table.size(); ++i)
+    table[i] = static_cast<float>(linearOfSrgb(static_cast<std::uint8_t>(i)));
   return table;
 }
 
@@ -52,7 +50,7 @@ Image decodePng(std::string_view bytes) {
                                               // which holds bytes of the file
                                               printable(stbi_failure_reason())));
   }
-  const std::array<float, 256> linear = linearOfSrgb();
+  const std::array<float, 256> linear = linearTable();
   Image image{width, height, {}};
   image.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {

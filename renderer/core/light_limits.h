@@ -5,6 +5,9 @@
 
 namespace glimt {
 
+// More are not asked for.
+inline constexpr int kMostBounces = 64;
+
 struct LightLimits {
   int bounces = 4;  // secondary bounces: a path has at most bounces + 1 scattering surfaces
   // The luminance of a pixel's sample above which it is dimmed, positive; none: never.

@@ -5,16 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/core/srgb.h"
 #include "renderer/core/wording.h"
 
 namespace glimt {
 namespace {
-
-// IEC 61966-2-1.
-double linearOfSrgb(std::uint8_t value) {
-  const double s = value / 255.0;
-  return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-}
 
 bool isWhole(const TextureImage& image) {
   return image.width > 0 && image.height > 0 &&
