@@ -16,7 +16,7 @@ constexpr double kExponentDeviation = 0.1;
 constexpr double kExponentDrift = 0.05;
 
 // Of the noise, relative, beside those.
-constexpr double kModelDeviation = 0.03;
+constexpr double kModelDeviation = 0.05;
 
 // Relative standard deviation of a sum of squares of normally distributed changes: the variance of
 // such a square is two thirds of the mean of its own square.

@@ -1,7 +1,8 @@
 // Whether the noise that is claimed is the true one: renders a scene with many seeds, each until
 // the noise of 10%, 5% and 2% is reached, and compares every picture with the mean of all the
-// others'. Prints a row of a table for each goal, the first GOALS of them.
-// usage: noise_calibration SCENE SIDE SEEDS [GOALS]
+// others'. Prints a row of a table for each goal, the first GOALS of them. The seeds are shared out
+// among PROCESSES, so that a machine of many cores is done sooner.
+// usage: noise_calibration SCENE SIDE SEEDS [GOALS [PROCESSES]]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include "renderer/core/image_difference.h"
 #include "renderer/renderer.h"
 #include "renderer/scene/load_scene.h"
+#include "tests/bench/processes.h"
 
 using namespace glimt;
 
@@ -128,30 +130,87 @@ void printRows(const std::string& name, const std::vector<Run>& runs) {
   }
 }
 
-void calibrate(const std::filesystem::path& file, int side, int seeds, std::size_t goals) {
-  const Scene scene = loadScene(file);
+template <class T>
+void write(std::FILE* file, const T* values, std::size_t count) {
+  if (std::fwrite(values, sizeof(T), count, file) != count)
+    throw std::runtime_error("cannot write a temporary file");
+}
+
+template <class T>
+void read(std::FILE* file, T* values, std::size_t count) {
+  if (std::fread(values, sizeof(T), count, file) != count)
+    throw std::runtime_error("a temporary file ends too early");
+}
+
+void writeRun(std::FILE* file, const Run& run) {
+  for (const Stop& stop : run.stops) {
+    write(file, &stop.claimed, 1);
+    write(file, stop.picture.pixels.data(), stop.picture.pixels.size());
+  }
+  const std::size_t forecasts = run.forecasts.size();
+  write(file, &forecasts, 1);
+  write(file, run.forecasts.data(), forecasts);
+}
+
+Run readRun(std::FILE* file, int side, std::size_t goals) {
+  Run run;
+  for (std::size_t goal = 0; goal < goals; ++goal) {
+    Stop stop{{}, {side, side, std::vector<Vec3>(static_cast<std::size_t>(side) * side)}};
+    read(file, &stop.claimed, 1);
+    read(file, stop.picture.pixels.data(), stop.picture.pixels.size());
+    run.stops.push_back(std::move(stop));
+  }
+  std::size_t forecasts = 0;
+  read(file, &forecasts, 1);
+  run.forecasts.resize(forecasts);
+  read(file, run.forecasts.data(), forecasts);
+  return run;
+}
+
+struct Calibration {
+  std::filesystem::path scene;
+  int side = 0;
+  int seeds = 0;
+  std::size_t goals = kGoals.size();
+  int processes = 1;
+};
+
+// Every `processes`-th seed from the first of the process on.
+void renderShare(const Calibration& calibration, const Scene& scene, int process, std::FILE* file) {
   ContextHandle context = createOffscreenContext(Backend::automatic, 2);
   RenderSettings settings;
-  settings.width = settings.height = side;
+  settings.width = settings.height = calibration.side;
   settings.bounces = scene.render.bounces.value_or(settings.bounces);
-  std::vector<Run> runs;
-  for (int seed = 1; seed <= seeds; ++seed) {
+  for (int seed = 1 + process; seed <= calibration.seeds; seed += calibration.processes) {
     settings.seed = static_cast<std::uint32_t>(seed);
     Renderer renderer(context, scene, settings);
-    runs.push_back(renderToGoals(renderer, goals));
+    writeRun(file, renderToGoals(renderer, calibration.goals));
   }
-  printRows(file.stem().stem().string(), runs);
+}
+
+void calibrate(const Calibration& calibration) {
+  const Scene scene = loadScene(calibration.scene);
+  const auto shares = inProcesses(calibration.processes, [&](int process, std::FILE* file) {
+    renderShare(calibration, scene, process, file);
+  });
+  std::vector<Run> runs;
+  for (int i = 0; i < calibration.seeds; ++i)
+    runs.push_back(readRun(shares[static_cast<std::size_t>(i % calibration.processes)].get(),
+                           calibration.side, calibration.goals));
+  printRows(calibration.scene.stem().stem().string(), runs);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    if (argc < 4 || argc > 5)
-      throw std::invalid_argument("usage: noise_calibration SCENE SIDE SEEDS [GOALS]");
-    const std::size_t goals = argc < 5 ? kGoals.size() : std::strtoul(argv[4], nullptr, 10);
-    calibrate(argv[1], std::atoi(argv[2]), std::atoi(argv[3]),
-              std::clamp<std::size_t>(goals, 1, kGoals.size()));
+    if (argc < 4 || argc > 6)
+      throw std::invalid_argument("usage: noise_calibration SCENE SIDE SEEDS [GOALS [PROCESSES]]");
+    Calibration calibration{argv[1], std::atoi(argv[2]), std::atoi(argv[3])};
+    if (argc > 4) calibration.goals = std::strtoul(argv[4], nullptr, 10);
+    calibration.goals = std::clamp<std::size_t>(calibration.goals, 1, kGoals.size());
+    if (argc > 5) calibration.processes = std::clamp(std::atoi(argv[5]), 1, calibration.seeds);
+    calibrate(calibration);
   } catch (const std::exception& error) {
     fmt::print(stderr, "noise_calibration: {}\n", error.what());
     return 1;

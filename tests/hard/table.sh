@@ -36,10 +36,11 @@ END {
   if (broken) exit 1
   print "# Hard cases\n"
   print "Written by tests/hard/table.sh from reports of the hard cases. A figure has to be at most its"
-  print "bound; one that is not is bold and marked. A dash: the case did not run on that driver"
-  print "(softpipe is an interpreter, and takes more than a quarter of an hour for gloss and glass)."
+  print "bound; one that is not is bold and marked. softpipe and zink are slow: some of their cases have"
+  print "smaller pictures, and rows of their own with wider bounds. Any other dash: the case did not run there"
+  print "(softpipe is an interpreter, and takes more than a quarter of an hour for layers and rough glass)."
   if ("nvidia" in seen)
-    print "nvidia is an H200 through EGL (an H100 in the groups accumulation, leakage and light), with the same\nbinaries; ./dev hard runs the others."
+    print "nvidia is an H200 through EGL, with the same binaries; ./dev hard runs the others."
   print ""
   printf "| Group | Case | Measured | Bound |"
   for (d = 1; d <= driverCount; ++d) printf " %s |", drivers[d]
