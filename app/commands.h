@@ -21,6 +21,7 @@ struct RenderOptions {
   std::optional<int> samples;     // --spp
   std::optional<double> seconds;  // --time
   std::optional<double> noise;    // --noise, as a share of 1
+  bool even = false;              // every pixel has all samples, also with a limit on the noise
   bool forecast = false;
   Backend backend = Backend::automatic;
   std::filesystem::path shader_folder;  // empty: they are not written

@@ -151,6 +151,8 @@ void addLimits(CLI::App& command, RenderOptions& options) {
   add(command, "--noise", "PCT",
       "End when the noise is below PCT percent of the picture, with 95% confidence",
       [&](const std::string& text) { options.noise = 0.01 * parsePercent("--noise", text); });
+  command.add_flag("--even", options.even,
+                   "With --noise: as many samples everywhere, instead of where the noise is");
 }
 
 Backend backendNamed(const std::string& name) {

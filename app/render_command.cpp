@@ -86,6 +86,7 @@ void RenderCommand::run() {
   endIfInterrupted();
   Renderer renderer = makeRenderer(context, scene);
   for (const std::string& warning : renderer.statistics().warnings) warn(warning);
+  if (!options_.even) renderer.restBelow(options_.noise);
   if (!options_.shader_folder.empty()) writeShaders(renderer);
   const Sampling sampling = render(renderer);
 
@@ -167,6 +168,7 @@ Sampling RenderCommand::render(Renderer& renderer) {
 
   report_.statistics = renderer.statistics();
   report_.samples = sampling.picture.samples;
+  report_.mean_samples = sampling.picture.mean_samples;
   report_.first_sample = before + sampling.first_sample;
   report_.render = sampling.seconds;
   report_.nonfinite_pixels = sampling.picture.nonfinite_pixels;

@@ -75,6 +75,13 @@ std::string limitsText(const RenderReport& report) {
   return text;
 }
 
+// Where parts of the picture rested, others have more.
+std::string samplesText(const RenderReport& report) {
+  const std::string samples = counted(report.samples, "sample");
+  if (!(report.mean_samples < report.samples - 0.5)) return samples;
+  return fmt::format("{}, {:.0f} on average,", samples, report.mean_samples);
+}
+
 // As far as the noise is known.
 std::string noiseText(const RenderReport& report) {
   if (!report.noise) return "";
@@ -111,6 +118,7 @@ Json jsonOf(const RenderReport& report) {
                {"width", report.settings.width},
                {"height", report.settings.height},
                {"samples", report.samples},
+               {"mean_samples", report.mean_samples},
                {"bounces", report.settings.bounces},
                {"backend", report.context.backend},
                {"gl_renderer", report.context.renderer},
@@ -168,8 +176,8 @@ std::string summaryOf(const RenderReport& report) {
   const std::string& gl = report.context.renderer;
   const std::string device = gl.substr(0, gl.find(" ("));
   return fmt::format("{}: {} in {:.1f} s ({:.3g} samples/s){}{}, {}, {}, {}", files,
-                     counted(report.samples, "sample"), report.render,
-                     report.samples / report.render, noiseText(report), limitsText(report),
+                     samplesText(report), report.render, report.samples / report.render,
+                     noiseText(report), limitsText(report),
                      counted(report.statistics.triangles, "triangle"), traversalOf(report), device);
 }
 

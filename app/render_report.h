@@ -22,6 +22,7 @@ struct RenderReport {
   RenderStatistics statistics;
   std::vector<std::string> effects;  // those that are on
   int samples = 0;
+  double mean_samples = 0;  // over the pixels
   int nonfinite_pixels = 0;
   std::optional<NoiseEstimate> noise;
   std::optional<double> noise_goal;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <limits>
 #include <new>
@@ -28,28 +29,51 @@ std::optional<EndedBy> limitMet(const Limits& limits, const Sampling& done) {
   return std::nullopt;
 }
 
+// How long a sample takes at present: less and less where parts of the picture come to rest.
+class SampleTime {
+ public:
+  void add(int samples, double seconds) {
+    if (samples == samples_ || seconds < seconds_ + kWindow) return;
+    of_sample_ = (seconds - seconds_) / (samples - samples_);
+    samples_ = samples;
+    seconds_ = seconds;
+  }
+
+  double ofSample(const Sampling& done) const {
+    return of_sample_ > 0 ? of_sample_ : done.seconds / done.samples;
+  }
+
+ private:
+  static constexpr double kWindow = 2;  // seconds
+
+  int samples_ = 0;
+  double seconds_ = 0;
+  double of_sample_ = 0;
+};
+
 // Nothing where only the noise ends the render and is not known yet.
-std::optional<double> secondsLeft(const Limits& limits, const Sampling& done) {
+std::optional<double> secondsLeft(const Limits& limits, const Sampling& done, double of_sample) {
   std::optional<double> left;
   const auto atMost = [&](double seconds) {
     left = std::max(std::min(left.value_or(seconds), seconds), 0.0);
   };
-  const double of_sample = done.seconds / done.samples;
   if (limits.samples) atMost((*limits.samples - done.samples) * of_sample);
   if (limits.seconds) atMost(*limits.seconds - done.seconds);
-  if (limits.noise && done.noise)
-    atMost((done.noise->samplesFor(*limits.noise) - done.samples) * of_sample);
+  if (limits.noise && done.noise) {
+    const double wanted = done.noise->samplesFor(*limits.noise);
+    if (std::isfinite(wanted)) atMost((wanted - done.samples) * of_sample);
+  }
   return left;
 }
 
-std::string describe(const Limits& limits, const Sampling& done) {
+std::string describe(const Limits& limits, const Sampling& done, double of_sample) {
   if (done.samples == 0) return fmt::format("first sample, {}", duration(done.seconds));
-  std::string line = fmt::format("{}{} samples, {:.3g} samples/s", done.samples,
-                                 limits.samples ? fmt::format(" of {}", *limits.samples) : "",
-                                 done.samples / done.seconds);
+  std::string line =
+      fmt::format("{}{} samples, {:.3g} samples/s", done.samples,
+                  limits.samples ? fmt::format(" of {}", *limits.samples) : "", 1 / of_sample);
   if (done.noise) line += ", noise " + percent(done.noise->relative);
   if (limits.noise) line += " of " + percent(*limits.noise);
-  const std::optional<double> left = secondsLeft(limits, done);
+  const std::optional<double> left = secondsLeft(limits, done, of_sample);
   return left ? fmt::format("{}, {} left", line, duration(*left)) : line;
 }
 
@@ -61,6 +85,7 @@ std::string describe(const std::exception& error) {
 void sample(Renderer& renderer, const Limits& limits, const Interrupt& interrupt,
             Progress& progress, SafePicture& safe, Sampling& done) {
   const Stopwatch clock;
+  SampleTime time;
   std::optional<EndedBy> end;
   while (!end) {
     if (interrupt.requested()) {
@@ -73,8 +98,9 @@ void sample(Renderer& renderer, const Limits& limits, const Interrupt& interrupt
     if (done.samples == 0) done.first_sample = done.seconds;
     done.samples = renderer.samples();
     done.noise = renderer.noise();
+    time.add(done.samples, done.seconds);
     end = limitMet(limits, done);
-    if (progress.due()) progress.show(describe(limits, done));
+    if (progress.due()) progress.show(describe(limits, done, time.ofSample(done)));
     safe.keepWhenDue();
   }
   done.ended_by = *end;

@@ -160,6 +160,7 @@ int LimitMeter::enoughBounces(const std::vector<double>& errors, double noise) c
 
 LimitError LimitMeter::measure(double noise, double seconds) {
   const SmallPicture size = smallPictureOf(settings_);
+  renderer_->restBelow(std::nullopt);
   renderer_->resize(size.width, size.height);
   const double most = std::clamp(0.5 * seconds / probe(), 1.0 * kLeastSamples, 1.0 * kMostSamples);
   // A power of two, which is what low-discrepancy points do best.

@@ -124,6 +124,12 @@ class Renderer::State {
     throw Error(ErrorKind::failed, "the picture cannot be read back from a context that is lost");
   }
 
+  // How many samples a pixel has to have by now, y from the bottom.
+  int samplesAt(int x, int y) const {
+    const int at_rest = noise.rest().samplesAt(x, y);
+    return at_rest > 0 ? at_rest : tracer.samples();
+  }
+
   std::optional<NoiseEstimate> noiseWhenDue() {
     return watched([&] { return noise.measureWhenDue(tracer.accumulation(), tracer.samples()); });
   }
@@ -153,7 +159,10 @@ class Renderer::State {
     trial.add(sample_seconds_);
     tracer.use(trial.traversal());
     sample_seconds_ = 0;
-    watched([&] { noise.endSample(tracer.accumulation(), tracer.samples()); });
+    watched([&] {
+      if (noise.endSample(tracer.accumulation(), tracer.samples(), tracer.lengths()))
+        tracer.rest(noise.rest().tiles());
+    });
   }
 
   // A sample that the failing draw completed is not complete.
@@ -207,6 +216,10 @@ void Renderer::setSampler(Sampler sampler, std::uint32_t seed) {
   state_->restart();
 }
 
+void Renderer::restBelow(std::optional<double> goal) {
+  state_->noise.restBelow(state_->tracer.canRest() ? goal : std::nullopt);
+}
+
 void Renderer::renderSample() {
   const int before = samples();
   while (samples() == before) state_->drawTile();
@@ -228,15 +241,16 @@ Picture Renderer::picture() {
   state_->demandReadable();
   const Film& film = state_->tracer.film();
   const std::vector<Vec4> texels = state_->tracer.accumulation().readMean();
-  Picture picture{{film.width(), film.height(), {}}, samples(), 0};
-  const auto count = static_cast<float>(picture.samples);
-  picture.nonfinite_pixels = static_cast<int>(std::count_if(
-      texels.begin(), texels.end(), [&](const Vec4& texel) { return texel.a < count; }));
+  Picture picture{{film.width(), film.height(), {}}, samples(), 0, 0};
+  picture.mean_samples = state_->noise.rest().meanSamples(picture.samples);
   Image& image = picture.radiance;
   image.pixels.reserve(texels.size());
   for (int y = image.height - 1; y >= 0; --y)  // GL's rows begin at the bottom
-    for (int x = 0; x < image.width; ++x)
-      image.pixels.emplace_back(texels[static_cast<std::size_t>(y) * image.width + x]);
+    for (int x = 0; x < image.width; ++x) {
+      const Vec4& texel = texels[static_cast<std::size_t>(y) * image.width + x];
+      image.pixels.emplace_back(texel);
+      picture.nonfinite_pixels += texel.a < static_cast<float>(state_->samplesAt(x, y));
+    }
   return picture;
 }
 
@@ -258,8 +272,13 @@ int Renderer::nonfinitePixels() {
 
 Losses Renderer::lastLosses() {
   Losses losses;
-  for (const Vec4& texel : state_->tracer.film().radiance.front().readFloats()) {
+  const int width = state_->tracer.film().width();
+  const std::vector<Vec4> texels = state_->tracer.film().radiance.front().readFloats();
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    const auto at = static_cast<int>(i);
+    if (state_->noise.rest().samplesAt(at % width, at / width) > 0) continue;
     // As light.glsl marks them, and as sample_mean.glsl asks.
+    const Vec4& texel = texels[i];
     const bool marked = std::min({texel.r, texel.g, texel.b}) < 0;
     const bool good = texel.r + texel.g + texel.b <= 1e30f;
     losses.cut_short += marked;

@@ -96,6 +96,7 @@ struct Losses {
 struct Picture {
   Image radiance;  // the mean; pixels without a sample are black
   int samples = 0;
+  double mean_samples = 0;   // over the pixels: fewer where some rest, see restBelow()
   int nonfinite_pixels = 0;  // that have lost a sample, see nonfinitePixels()
 };
 
@@ -123,9 +124,15 @@ class Renderer {
   void setLimits(const LightLimits& limits);
   void setSampler(Sampler sampler, std::uint32_t seed);
 
-  // Adds one sample to every pixel. Errors, here and in advance(): failed, when GL is out of
-  // memory, loses the context or notes another error. The complete samples stay, and picture()
-  // hands them out where the context still can.
+  // Lets parts of the picture rest, that is, get no more samples, where their noise is already what
+  // is best for a noise of the whole of `goal` (as NoiseEstimate::upper) in the least time. None:
+  // all pixels have all samples, as at first. To be set before the first sample. Does nothing where
+  // the device cannot limit draws to a part of the pixels.
+  void restBelow(std::optional<double> goal);
+
+  // Adds one sample to every pixel that is not at rest. Errors, here and in advance(): failed, when
+  // GL is out of memory, loses the context or notes another error. The complete samples stay, and
+  // picture() hands them out where the context still can.
   void renderSample();
 
   // Works for about `seconds`, in draws that are each much shorter, and leaves the rest of a sample

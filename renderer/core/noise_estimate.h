@@ -12,13 +12,15 @@ struct NoiseEstimate {
   double relative = 0;  // the likeliest
   double lower = 0;     // the noise is above this in 95% of the cases,
   double upper = 0;     // and below this in 95%
+  double resting = 0;   // share of its square that stays: of pixels that get no more samples
   double slow = 1;  // share of the noise's square that falls as 1 / samples; the rest falls with
                     // their power of 1.5
 
   // The power of the samples by which the noise's square falls at present, positive.
   double exponent() const { return slow + 1.5 * (1 - slow); }
 
-  // How many samples bring `upper` down to a goal above 0.
+  // How many samples bring `upper` down to a goal above 0; infinitely many where the pixels that
+  // get no more have too much of it.
   double samplesFor(double goal) const;
 };
 

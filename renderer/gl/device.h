@@ -9,14 +9,6 @@
 
 namespace glimt::gl {
 
-// A rectangle of pixels, counted from the bottom left.
-struct Tile {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
-};
-
 struct DrawState {
   bool adding = false;  // to what the target holds, instead of replacing it
   Limit limit = Limit::none;

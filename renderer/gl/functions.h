@@ -60,6 +60,7 @@ using ProcLoader = std::function<void*(const char* name)>;
   X(RenderbufferStorage, PFNGLRENDERBUFFERSTORAGEPROC)           \
   X(Scissor, PFNGLSCISSORPROC)                                   \
   X(ShaderSource, PFNGLSHADERSOURCEPROC)                         \
+  X(ClearStencil, PFNGLCLEARSTENCILPROC)                         \
   X(StencilFunc, PFNGLSTENCILFUNCPROC)                           \
   X(StencilOp, PFNGLSTENCILOPPROC)                               \
   X(TexImage2D, PFNGLTEXIMAGE2DPROC)                             \

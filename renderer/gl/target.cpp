@@ -62,6 +62,25 @@ void Target::clear() const {
   gl.Clear(GL_COLOR_BUFFER_BIT);
 }
 
+void Target::clear(const Tile& tile, const Vec4& value) const {
+  const Functions& gl = framebuffer_.gl();
+  bind();
+  gl.Enable(GL_SCISSOR_TEST);
+  gl.Scissor(tile.x, tile.y, tile.width, tile.height);
+  gl.ClearColor(value.r, value.g, value.b, value.a);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
+}
+
+void Target::mark(const Tile& tile) const {
+  const Functions& gl = framebuffer_.gl();
+  bind();
+  gl.Enable(GL_SCISSOR_TEST);
+  gl.Scissor(tile.x, tile.y, tile.width, tile.height);
+  gl.ClearStencil(1);
+  gl.Clear(GL_STENCIL_BUFFER_BIT);
+  gl.ClearStencil(0);
+}
+
 void Target::clearStencil() const {
   const Functions& gl = framebuffer_.gl();
   bind();

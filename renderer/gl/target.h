@@ -7,6 +7,14 @@
 
 namespace glimt::gl {
 
+// A rectangle of pixels, counted from the bottom left.
+struct Tile {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+};
+
 class Target {
  public:
   Target() = default;
@@ -25,11 +33,15 @@ class Target {
   // Draws go here, over the whole of it.
   void bind() const;
 
-  // To zero.
+  // To zero, or a part of it to a value.
   void clear() const;
+  void clear(const Tile& tile, const Vec4& value) const;
 
   // Takes all marks off; see stencil.h.
   void clearStencil() const;
+
+  // Marks the pixels of a part.
+  void mark(const Tile& tile) const;
 
   // The whole content of the first texture, rows from the bottom. Each for a texture of its kind.
   // Errors: failed, when the context gives it no more.

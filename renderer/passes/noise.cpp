@@ -35,8 +35,9 @@ class Variance {
     b_ = share / (1 / fast - 1);
   }
 
-  double slow(double n) const { return a_ / n; }
-  double at(double n) const { return slow(n) + b_ / (n * std::sqrt(n)); }
+  // Share of the variance that falls as 1 / n.
+  double slowShare(double n) const { return a_ / n / at(n); }
+  double at(double n) const { return a_ / n + b_ / (n * std::sqrt(n)); }
 
   // What is left after a change.
   double perChange(double n, double before) const { return at(n) / (at(before) - at(n)); }
@@ -67,12 +68,15 @@ NoiseEstimate Noise::estimate(const ChangeSums& sums, int samples, int before) c
   const double n = static_cast<double>(samples) / doubled_;
   const double n_before = static_cast<double>(before) / doubled_;
   const Variance variance(exponent_);
-  noise.slow = variance.slow(n) / variance.at(n);
-  if (!(sums.squares > 0)) return noise;
-  noise.relative = std::sqrt(sums.squares / sums.pixels * variance.perChange(n, n_before));
+  noise.slow = variance.slowShare(n);
+  const double active = sums.squares * variance.perChange(n, n_before);
+  const double total = active + sums.resting;
+  if (!(total > 0)) return noise;
+  noise.relative = std::sqrt(total / sums.pixels);
+  noise.resting = sums.resting / total;
   // Half of the variance's relative deviations; the picture's own error deviates as much from its
   // mean as the estimate.
-  const double of_pixels = deviationOf(sums) / std::sqrt(2.0);
+  const double of_pixels = sums.squares > 0 ? deviationOf(sums) / std::sqrt(2.0) : 0;
   const double step = std::sqrt(variance_);
   const double of_exponent = 0.25 * std::log(Variance(exponent_ - step).perChange(n, n_before) /
                                              Variance(exponent_ + step).perChange(n, n_before));
@@ -81,6 +85,16 @@ NoiseEstimate Noise::estimate(const ChangeSums& sums, int samples, int before) c
   noise.lower = noise.relative * std::max(1 - kDeviations * deviation, 0.0);
   noise.upper = noise.relative * (1 + kDeviations * deviation);
   return noise;
+}
+
+double Noise::perChange(int samples, int before) const {
+  return Variance(exponent_).perChange(static_cast<double>(samples) / doubled_,
+                                       static_cast<double>(before) / doubled_);
+}
+
+double Noise::power(int samples) const {
+  const double slow = Variance(exponent_).slowShare(static_cast<double>(samples) / doubled_);
+  return slow + 1.5 * (1 - slow);
 }
 
 }  // namespace glimt

@@ -7,12 +7,14 @@ namespace glimt {
 
 // Sums over a picture: of the squared relative change of its pixels' luminance between two numbers
 // of samples, of the squares of these, of the same between two numbers of samples before, and of
-// the luminance. What a change is relative to is in shaders/change.glsl.
+// the luminance. What a change is relative to is in shaders/change.glsl. Pixels that get no more
+// samples do not change: of them it holds the noise that they have, squared.
 struct ChangeSums {
   double squares = 0;
   double fourths = 0;
   double squares_before = 0;
   double luminance = 0;
+  double resting = 0;
   double pixels = 0;
 };
 
@@ -39,6 +41,12 @@ class Noise {
 
   // At `samples`, with the change since `before` samples.
   NoiseEstimate estimate(const ChangeSums& sums, int samples, int before) const;
+
+  // What is left of the variance at `samples`, in proportion to the change since `before`.
+  double perChange(int samples, int before) const;
+
+  // The power of the samples by which the variance falls at `samples`.
+  double power(int samples) const;
 
  private:
   int doubled_ = kFirst;  // samples at the last doubling

@@ -15,6 +15,9 @@ constexpr double kRest = 100;
 
 constexpr int kFirstKept = Noise::kFirst / 2;
 
+// Before that it is hardly known where the noise is.
+constexpr int kFirstRest = 32;
+
 // Of the mean luminance: see NoiseEstimate.
 constexpr double kFloor = 0.25;
 
@@ -38,6 +41,7 @@ void NoiseMeter::restart(int width, int height) {
   height_ = height;
   last_ = 0;
   noise_ = Noise();
+  rest_ = Rest(width, height);
   estimate_.reset();
   seconds_ = 0;
   next_ = 0;
@@ -82,9 +86,18 @@ ChangeSums NoiseMeter::readChange(const Accumulation& accumulation, bool last) {
   change_->set("uFloor", static_cast<float>(floor_));
   sums_.bind();
   drawChecked(sums_.width(), sums_.height(), Pass::change);
-  glm::dvec4 sums(0);
-  for (const Vec4& texel : sums_.readFloats()) sums += glm::dvec4(texel);
-  return {sums.x, sums.y, sums.z, sums.w, static_cast<double>(width_) * height_};
+  squares_ = sums_.readFloats();
+  ChangeSums sums;
+  for (std::size_t i = 0; i < squares_.size(); ++i) {
+    sums.luminance += squares_[i].w;
+    if (rest_.samplesOf(i) > 0) continue;
+    sums.squares += squares_[i].x;
+    sums.fourths += squares_[i].y;
+    sums.squares_before += squares_[i].z;
+  }
+  sums.resting = rest_.noise();
+  sums.pixels = static_cast<double>(width_) * height_;
+  return sums;
 }
 
 // The floor is of the time before: the mean luminance hardly changes.
@@ -102,16 +115,35 @@ ChangeSums NoiseMeter::changeSince(const Accumulation& accumulation, bool last) 
   return sums;
 }
 
-void NoiseMeter::endSample(const Accumulation& accumulation, int samples) {
-  if (samples < kFirstKept || !std::has_single_bit(static_cast<unsigned>(samples))) return;
+bool NoiseMeter::endSample(const Accumulation& accumulation, int samples,
+                           const std::vector<float>& lengths) {
+  if (samples < kFirstKept) return false;
+  if (!std::has_single_bit(static_cast<unsigned>(samples))) {
+    if (!goal_ || samples < kFirstRest || samples % (last_ / 4) != 0) return false;
+    measure(accumulation, samples);
+    return decideRest(samples, last_ / 2, lengths);
+  }
   prepare();
+  bool more_rest = false;
   if (samples >= Noise::kFirst) {
     const ChangeSums sums = changeSince(accumulation, true);
     if (samples >= 2 * Noise::kFirst) noise_.doubled(sums, samples);
     estimate_ = noise_.estimate(sums, samples, last_);
+    more_rest = decideRest(samples, last_, lengths);
   }
   keep(accumulation);
   last_ = samples;
+  return more_rest;
+}
+
+// After a measurement. The upper end of the estimate is what has to meet the goal.
+bool NoiseMeter::decideRest(int samples, int before, const std::vector<float>& lengths) {
+  if (!goal_ || samples < kFirstRest || !(estimate_->upper > 0)) return false;
+  std::vector<double> noise;
+  for (const Vec4& square : squares_) noise.push_back(square.x * noise_.perChange(samples, before));
+  const double goal = *goal_ * estimate_->relative / estimate_->upper;
+  return rest_.decide(noise, lengths, samples, noise_.power(samples),
+                      goal * goal * static_cast<double>(width_) * height_);
 }
 
 std::optional<NoiseEstimate> NoiseMeter::measure(const Accumulation& accumulation, int samples) {

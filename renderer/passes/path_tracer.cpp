@@ -185,6 +185,7 @@ void PathTracer::setSampler(Sampler sampler, std::uint32_t seed) {
 }
 
 void PathTracer::restart() {
+  resting_.clear();
   accumulation_.clear();
   samples_ = 0;
   planStages();
@@ -249,12 +250,22 @@ bool PathTracer::asksWhetherAlive(const Stage& stage) const {
 
 void PathTracer::beginStage(const Stage& stage) {
   alive_now_ = !asksWhetherAlive(stage);
-  if (stage.pass == Pass::camera) {
-    film_.radiance.clear();
-    if (live_only_) film_.radiance.front().clearStencil();
-  }
+  if (stage.pass == Pass::camera) beginSample();
   // Pixels that are left out keep the record of an earlier bounce, which only counting would read.
   if (stage.pass == Pass::trace && live_only_ && !rays_counted_) film_.record.back().clear();
+}
+
+// Pixels at rest are as those whose path has ended, and their radiance is one that does not count.
+void PathTracer::beginSample() {
+  constexpr Vec4 kNoSample(-1, -1, -1, 0);
+  film_.radiance.clear();
+  if (!live_only_) return;
+  const gl::Target& radiance = film_.radiance.front();
+  radiance.clearStencil();
+  for (const gl::Tile& tile : resting_) {
+    radiance.clear(tile, kNoSample);
+    radiance.mark(tile);
+  }
 }
 
 void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
@@ -330,12 +341,18 @@ void PathTracer::endStage(const Stage& stage) {
 
 void PathTracer::countRays(const Stage& stage) {
   const std::vector<Vec4> records = film_.record.front().readFloats();
-  const auto hits = static_cast<double>(std::count_if(
-      records.begin(), records.end(), record_.name == "wide" ? isWideHit : isPackedHit));
+  const auto isHit = record_.name == "wide" ? isWideHit : isPackedHit;
   const bool last = stage.bounce == bounces_;
   if (stage.pass == Pass::camera) {
     alive_.clear();
+    lengths_.assign(records.size(), 0);
     rays_ = {static_cast<double>(records.size()), 0, 0};
+  }
+  double hits = 0;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (!isHit(records[i])) continue;
+    ++hits;
+    ++lengths_[i];
   }
   alive_.push_back(hits / static_cast<double>(records.size()));
   if (!last) rays_.bounce += hits;

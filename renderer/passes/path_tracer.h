@@ -60,8 +60,14 @@ class PathTracer {
   // Begins again with other random numbers.
   void setSampler(Sampler sampler, std::uint32_t seed);
 
-  // Forgets all samples.
+  // Forgets all samples, and lets nothing rest.
   void restart();
+
+  // Whether parts of the picture can rest.
+  bool canRest() const { return live_only_; }
+
+  // These pixels get no more samples, from the sample on that begins.
+  void rest(std::vector<gl::Tile> tiles) { resting_ = std::move(tiles); }
 
   // What may draw a sample: the traversal asked for or, for "auto", several.
   const std::vector<std::string>& candidates() const { return candidates_; }
@@ -92,6 +98,9 @@ class PathTracer {
   const SceneTextures& scene() const { return scene_; }
   const std::string& traversal() const { return traversal_; }  // the one in use
   const RayCounts& rays() const { return rays_; }
+
+  // How many triangles each pixel's path met in the first sample, rows from the bottom.
+  const std::vector<float>& lengths() const { return lengths_; }
   double compileSeconds() const { return compile_seconds_; }
 
  private:
@@ -113,6 +122,7 @@ class PathTracer {
   void compile(const WorkProgress& progress);
   gl::Tile nextTile(double pixels) const;
   void beginStage(const Stage& stage);
+  void beginSample();
   void drawStage(const Stage& stage, const gl::Tile& tile);
   void endStage(const Stage& stage);
   void countRays(const Stage& stage);
@@ -132,6 +142,7 @@ class PathTracer {
   EffectSet effects_;
   int bounces_;
   bool live_only_;
+  std::vector<gl::Tile> resting_;
   std::map<ProgramKey, gl::Program> programs_;
   std::vector<Stage> stages_;
   Film film_;
@@ -141,6 +152,7 @@ class PathTracer {
       alive_;  // share of the paths that met a triangle, for each bounce; of the first sample
   gl::Query query_;
   RayCounts rays_;
+  std::vector<float> lengths_;
   double compile_seconds_ = 0;
   bool rays_counted_ = false;
 

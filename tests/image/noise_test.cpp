@@ -93,3 +93,28 @@ TEST_CASE("a picture of an environment of one colour has no noise but rounding")
   REQUIRE(noise);
   CHECK(noise->upper < 1e-4);
 }
+
+TEST_CASE("where calm parts rest, fewer samples give the noise that was asked for") {
+  constexpr double kGoal = 0.08;
+  RenderSettings large = settings(1000);
+  large.width = large.height = 2 * kSide;
+  const Image converged = render(ballOnFloor(), large, 512);
+  large.seed = 1;
+  ContextHandle context = createOffscreenContext(Backend::egl, 2);
+  Renderer renderer(context, ballOnFloor(), large);
+  renderer.restBelow(kGoal);
+  std::optional<NoiseEstimate> noise;
+  do {
+    renderer.renderSample();
+    noise = renderer.noiseNow();
+  } while ((!noise || noise->upper > kGoal) && renderer.samples() < 2048);
+  const Picture picture = renderer.picture();
+  CHECK(picture.nonfinite_pixels == 0);
+  CHECK(picture.mean_samples < 0.95 * picture.samples);
+  CHECK(noise->resting > 0);
+  const ImageDifference difference = differenceOf(picture.radiance, converged);
+  CHECK(difference.noise < kGoal);
+  CHECK(difference.noise == Approx(noise->relative).epsilon(0.2));
+  for (int channel = 0; channel < 3; ++channel)
+    CHECK(difference.mean_ratio[channel] == Approx(1).margin(0.01));
+}
