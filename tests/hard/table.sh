@@ -6,6 +6,7 @@
 # A report holds lines "group, case, what, bound, measured, driver" with tabs between, as checkAtMost
 # of hard_case.h writes them. A figure above its bound, or not finite, is bold and marked "(fails)";
 # of several figures of one case on one driver the worst stands, so that a later run hides no failure.
+# What is known of cases that fail stands in notes.md, which ends the page.
 set -eu
 if [ $# -eq 0 ]; then
   echo "usage: table.sh REPORT..., the files that GLIMT_HARD_REPORT named" >&2
@@ -60,3 +61,5 @@ END {
   }
   printf "\n%d cases, %d figures above their bound.\n", rowCount, failed
 }' "$@"
+
+cat "$(dirname "$0")/notes.md"
