@@ -1,0 +1,12 @@
+#include "assets/generate/demos.h"
+
+#include "assets/generate/motorcycle/motorcycle.h"
+
+namespace glimt::assets {
+
+const std::map<std::string, std::function<Demo()>>& demos() {
+  static const std::map<std::string, std::function<Demo()>> all = {{"motorcycle", makeMotorcycle}};
+  return all;
+}
+
+}  // namespace glimt::assets
