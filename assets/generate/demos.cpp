@@ -1,11 +1,13 @@
 #include "assets/generate/demos.h"
 
 #include "assets/generate/motorcycle/motorcycle.h"
+#include "assets/generate/watch/watch.h"
 
 namespace glimt::assets {
 
 const std::map<std::string, std::function<Demo()>>& demos() {
-  static const std::map<std::string, std::function<Demo()>> all = {{"motorcycle", makeMotorcycle}};
+  static const std::map<std::string, std::function<Demo()>> all = {{"motorcycle", makeMotorcycle},
+                                                                   {"watch", makeWatch}};
   return all;
 }
 

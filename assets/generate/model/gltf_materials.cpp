@@ -62,13 +62,14 @@ Json materialJson(const Model& model, const std::string& name, const Material& m
   Json pbr = {{"baseColorFactor", rounded(m.base_color)},
               {"metallicFactor", rounded(m.metallic)},
               {"roughnessFactor", rounded(m.roughness)}};
-  pbr["baseColorFactor"].push_back(1.0);
+  pbr["baseColorFactor"].push_back(rounded(m.alpha));
   if (!m.base_color_picture.empty())
     pbr["baseColorTexture"] = {{"index", pictureIndex(model, m.base_color_picture)}};
   Json json = {{"name", name}, {"pbrMetallicRoughness", pbr}};
   if (!m.normal_picture.empty())
     json["normalTexture"] = {{"index", pictureIndex(model, m.normal_picture)},
                              {"scale", rounded(m.normal_scale)}};
+  if (m.alpha < 1) json["alphaMode"] = "BLEND";
   Json extensions;
   addEmission(m, json, extensions);
   addCoats(m, extensions);

@@ -82,13 +82,16 @@ Json primitiveOf(const Part& part, const GltfMaterials& materials, Buffer& buffe
 void addPictures(const std::filesystem::path& folder, const std::string& name, const Model& model,
                  Json& json) {
   if (model.pictures.empty()) return;
-  json["samplers"] = Json::array({{{"wrapS", kRepeat}, {"wrapT", kRepeat}}});
+  Json textures = Json::array(), images = Json::array();
   for (const Picture& picture : model.pictures) {
     const std::string file = name + "-" + picture.name + ".png";
     writeDisplayImage(folder / file, {picture.width, picture.height, picture.rgb});
-    json["textures"].push_back({{"sampler", 0}, {"source", json["images"].size()}});
-    json["images"].push_back({{"uri", file}});
+    textures.push_back({{"sampler", 0}, {"source", images.size()}});
+    images.push_back({{"uri", file}});
   }
+  json["samplers"] = Json::array({{{"wrapS", kRepeat}, {"wrapT", kRepeat}}});
+  json["textures"] = textures;
+  json["images"] = images;
 }
 
 void addExtensions(const GltfMaterials& materials, Json& json) {

@@ -32,6 +32,7 @@ struct Material {
   double ior = 1.5;
   dvec3 attenuation_color{1};
   double attenuation_distance = 0;  // metres; 0: nothing is absorbed
+  double alpha = 1;                 // below 1: lets the rest of the light by
   dvec3 emission{0};                // radiance, of the front
   std::string base_color_picture;   // multiplies base_color
   std::string normal_picture;
