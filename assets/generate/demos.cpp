@@ -1,13 +1,14 @@
 #include "assets/generate/demos.h"
 
+#include "assets/generate/christmas/christmas.h"
 #include "assets/generate/motorcycle/motorcycle.h"
 #include "assets/generate/watch/watch.h"
 
 namespace glimt::assets {
 
 const std::map<std::string, std::function<Demo()>>& demos() {
-  static const std::map<std::string, std::function<Demo()>> all = {{"motorcycle", makeMotorcycle},
-                                                                   {"watch", makeWatch}};
+  static const std::map<std::string, std::function<Demo()>> all = {
+      {"christmas", makeChristmas}, {"motorcycle", makeMotorcycle}, {"watch", makeWatch}};
   return all;
 }
 
