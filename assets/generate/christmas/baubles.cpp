@@ -24,7 +24,7 @@ Hanging bauble(double radius) {
                                     20),
                               moved({0, -drop + 0.93 * radius, 0}));
   append(made.fittings,
-         transformed(torus(0.0034, 0.0006, 16, 6),
+         transformed(torus(0.0034, 0.0006, 12, 4),
                      moved({0, -drop + 1.2 * radius + 0.003, 0}) * turned(90, {1, 0, 0})));
   append(made.fittings, tube({{0, -drop + 1.2 * radius + 0.005, 0}, {0, 0.004, 0}}, 0.0004, 5));
   return made;

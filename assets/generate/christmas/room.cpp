@@ -36,7 +36,7 @@ Mesh plank(double x, double width, double from, double to, Random& random) {
 
 Mesh box(const Rectangle& r, double back, double front, double round = 0.003) {
   return transformed(
-      roundedBox({r.right - r.left, r.top - r.bottom, front - back}, round, 2),
+      roundedBox({r.right - r.left, r.top - r.bottom, front - back}, round, 1),
       moved({0.5 * (r.left + r.right), 0.5 * (r.bottom + r.top), 0.5 * (back + front)}));
 }
 

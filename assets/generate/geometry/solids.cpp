@@ -46,12 +46,6 @@ Mesh lathe(const std::vector<dvec2>& profile, int segments) {
               [&](int i, int j) { return onLathe(profile[j], 2 * kPi * i / segments); });
 }
 
-Mesh texturedLathe(const std::vector<dvec2>& profile, int segments) {
-  return texturedGrid(segments, static_cast<int>(profile.size()) - 1, {1, 1}, [&](int i, int j) {
-    return onLathe(profile[j], 2 * kPi * (i % segments) / segments);
-  });
-}
-
 Mesh cylinder(double radius, double bottom, double top, double bevel, int segments) {
   return lathe({{0, bottom},
                 {radius - bevel, bottom},

@@ -9,9 +9,6 @@ namespace glimt::assets {
 // profile that ends at radius 0 closes the surface.
 Mesh lathe(const std::vector<dvec2>& profile, int segments);
 
-// The same, with texture coordinates: once around, and once along the profile.
-Mesh texturedLathe(const std::vector<dvec2>& profile, int segments);
-
 // A solid between two heights, with edges rounded by `bevel`.
 Mesh cylinder(double radius, double bottom, double top, double bevel, int segments);
 

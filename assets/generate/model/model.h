@@ -64,6 +64,4 @@ struct Model {
   }
 };
 
-std::size_t triangleCount(const Model& model);
-
 }  // namespace glimt::assets

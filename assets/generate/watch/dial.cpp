@@ -1,4 +1,4 @@
-#include <cmath>
+#include <algorithm>
 
 #include "assets/generate/geometry/curve.h"
 #include "assets/generate/geometry/grid.h"
@@ -21,7 +21,7 @@ const SubDial kSubDials[] = {{{7.4, 0}, 30, 205}, {{-7.4, 0}, 60, 48}, {{0, 7.4}
 
 // A flat mark along -z, that stands on y = 0.
 Mesh mark(double inner, double outer, double width, double height) {
-  return transformed(roundedBox({width, height, outer - inner}, 0.25 * std::min(width, height), 2),
+  return transformed(roundedBox({width, height, outer - inner}, 0.25 * std::min(width, height), 1),
                      moved({0, 0.5 * height, -0.5 * (inner + outer)}));
 }
 

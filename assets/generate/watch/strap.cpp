@@ -19,8 +19,8 @@ constexpr double kCushionMiddle = -26.6 * mm;
 constexpr double kCushionExponent = 2.7;
 
 // The strap's inner face from the lugs at 6 o'clock to the cushion's bottom, millimetres in y, z.
-const std::vector<dvec2> kHalfLine = {{-5.9, 20.3}, {-7.0, 22.2},  {-11.5, 24.3}, {-19.5, 24.7}, {-28.5, 23.9},
-                                      {-37.8, 21.1}, {-44.3, 14.5}, {-46.6, 0}};
+const std::vector<dvec2> kHalfLine = {{-5.9, 20.3},  {-7.0, 22.2},  {-11.5, 24.3}, {-19.5, 24.7},
+                                      {-28.5, 23.9}, {-37.8, 21.1}, {-44.3, 14.5}, {-46.6, 0}};
 
 Path innerLine() {
   Path line;
