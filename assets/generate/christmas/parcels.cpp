@@ -38,7 +38,7 @@ Mesh ribbonAlong(const Path& path, double width, const dvec3& up) {
       up, [](double) { return 1.0; }, true);
 }
 
-// A loop of a bow that stands out towards +x, and an end that lies beside it.
+// A loop of a bow that stands out towards +x.
 Mesh bowLoop(double size, double width) {
   const Path loop = smoothPath({{0, 0, 0},
                                 {0.45 * size, 0.30 * size, 0},

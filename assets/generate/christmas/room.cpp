@@ -132,11 +132,11 @@ void addFloor(Model& model) {
     }
   const char* const names[] = {"light planks", "planks", "dark planks"};
   for (int k = 0; k < 3; ++k) model.add(names[k], names[k], woods[k]);
-  const Mesh rug = lathe({{1.02, 0}, {1.03, 0.006}, {1.02, 0.012}, {0, 0.012}}, 128);
+  const Mesh rug = lathe({{1.02, 0}, {1.025, 0.003}, {1.02, 0.006}, {0, 0.006}}, 128);
   model.add("rug", "rug", transformed(rug, treePlace() * moved({0, 0, 0.30})));
   for (const double r : {0.90, 0.955})
     model.add("rug stripe", "rug stripe",
-              transformed(ring(r, r + 0.022, 0.010, 0.0128, 0.0008, 128),
+              transformed(ring(r, r + 0.022, 0.004, 0.0066, 0.0006, 128),
                           treePlace() * moved({0, 0, 0.30})));
 }
 

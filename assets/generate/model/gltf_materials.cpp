@@ -38,17 +38,6 @@ void addCoats(const Material& m, Json& extensions) {
                                          {"sheenRoughnessFactor", rounded(m.sheen_roughness)}};
 }
 
-void addInside(const Material& m, Json& extensions) {
-  if (m.ior != 1.5) extensions["KHR_materials_ior"] = {{"ior", rounded(m.ior)}};
-  if (m.transmission == 0) return;
-  extensions["KHR_materials_transmission"] = {{"transmissionFactor", rounded(m.transmission)}};
-  if (!m.solid) return;
-  Json& volume = extensions["KHR_materials_volume"] = {{"thicknessFactor", 1.0}};
-  if (m.attenuation_distance == 0) return;
-  volume["attenuationDistance"] = rounded(m.attenuation_distance);
-  volume["attenuationColor"] = rounded(m.attenuation_color);
-}
-
 // glTF's factor ends at 1; the strength carries the rest.
 void addEmission(const Material& m, Json& json, Json& extensions) {
   const double strength = std::max({m.emission.x, m.emission.y, m.emission.z});
@@ -67,13 +56,13 @@ Json materialJson(const Model& model, const std::string& name, const Material& m
     pbr["baseColorTexture"] = {{"index", pictureIndex(model, m.base_color_picture)}};
   Json json = {{"name", name}, {"pbrMetallicRoughness", pbr}};
   if (!m.normal_picture.empty())
-    json["normalTexture"] = {{"index", pictureIndex(model, m.normal_picture)},
-                             {"scale", rounded(m.normal_scale)}};
+    json["normalTexture"] = {{"index", pictureIndex(model, m.normal_picture)}};
   if (m.alpha < 1) json["alphaMode"] = "BLEND";
   Json extensions;
   addEmission(m, json, extensions);
   addCoats(m, extensions);
-  addInside(m, extensions);
+  if (m.transmission > 0)
+    extensions["KHR_materials_transmission"] = {{"transmissionFactor", rounded(m.transmission)}};
   if (!extensions.is_null()) json["extensions"] = extensions;
   return json;
 }

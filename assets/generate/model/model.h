@@ -27,16 +27,11 @@ struct Material {
   double clearcoat_roughness = 0;
   dvec3 sheen_color{0};
   double sheen_roughness = 0.5;
-  double transmission = 0;
-  bool solid = false;  // of what transmits: light is bent, and absorbed on its way
-  double ior = 1.5;
-  dvec3 attenuation_color{1};
-  double attenuation_distance = 0;  // metres; 0: nothing is absorbed
-  double alpha = 1;                 // below 1: lets the rest of the light by
-  dvec3 emission{0};                // radiance, of the front
-  std::string base_color_picture;   // multiplies base_color
+  double transmission = 0;         // through a thin wall
+  double alpha = 1;                // below 1: lets the rest of the light by
+  dvec3 emission{0};               // radiance, of the front
+  std::string base_color_picture;  // multiplies base_color
   std::string normal_picture;
-  double normal_scale = 1;
 };
 
 struct Part {

