@@ -21,12 +21,12 @@ Demo makeChristmas() {
   addLight(model);
   const nlohmann::ordered_json scene = {
       {"camera",
-       {{"position", {0.15, 1.28, 4.6}}, {"target", {-0.05, 1.03, 0}}, {"vertical_fov", 28}}},
+       {{"position", {0.15, 1.28, 4.6}}, {"target", {-0.05, 0.91, 0}}, {"vertical_fov", 30}}},
       {"cameras",
        {{"ornaments",
          {{"position", {0.5, 1.15, 1.9}}, {"target", {0.2, 1.0, 0}}, {"vertical_fov", 24}}}}},
       {"environment", {{"color", {0.10, 0.078, 0.055}}}},
-      {"render", {{"size", {1280, 720}}, {"bounces", 6}, {"exposure", 0.0}, {"tone", "agx"}}}};
+      {"render", {{"size", {1280, 720}}, {"bounces", 6}, {"exposure", 0.6}, {"tone", "agx"}}}};
   return {"christmas", std::move(model), scene};
 }
 

@@ -189,7 +189,7 @@ void addWindow(Model& model) {
 
 void addLight(Model& model) {
   // A lamp's large shade beside the viewer, and the light of a fire from the other side.
-  addSoftBox(model, "lamp light", {17.0, 11.6, 6.8},
+  addSoftBox(model, "lamp light", {27.0, 19.0, 11.8},
              softBox({2.5, 2.5, 2.6}, {0.1, 0.9, 0}, 1.1, 1.1));
   addSoftBox(model, "fire light", {9.0, 4.4, 1.9},
              softBox({-2.9, 0.8, 2.6}, {0, 0.6, 0}, 0.9, 0.8));
