@@ -34,7 +34,7 @@ Demo makeWatch() {
   addTable(model);
   const nlohmann::ordered_json scene = {
       {"camera",
-       {{"position", {0.03, 0.17, 0.33}}, {"target", {0.0, 0.031, 0}}, {"vertical_fov", 11.5}}},
+       {{"position", {0.03, 0.17, 0.33}}, {"target", {0.0, 0.034, 0}}, {"vertical_fov", 13}}},
       {"environment", {{"color", {0.16, 0.16, 0.165}}}},
       {"render", {{"size", {1280, 720}}, {"bounces", 5}, {"exposure", 0.0}, {"tone", "agx"}}}};
   return {"watch", std::move(model), scene};
