@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Renders the pictures of docs/gallery.md, and prints the rows of its table.
+"""Renders the demo scenes for a gallery, and prints a row of its table for each.
 
-usage, after ./dev build and the target assets: gallery.py BUILD IMAGES [OPTION]...
+usage, after ./dev assets: gallery.py BUILD IMAGES [OPTION]...
     (needs python3-pil)
 
 BUILD is build/release, IMAGES the folder for the pictures; options are those of glimt render that end
