@@ -72,6 +72,7 @@ class CommandLine {
 
   CLI::App app_{kDescription, "glimt"};
   RenderOptions render_;
+  BatchOptions batch_;
   ViewOptions view_;
   InfoOptions info_;
   CompareOptions compare_;
@@ -90,6 +91,11 @@ CommandLine::CommandLine() {
   CLI::App* const render = app_.add_subcommand("render", "Scene in, pictures out");
   addRenderOptions(*render, render_);
   commands_.push_back({render, [this] { return runRender(render_); }});
+
+  CLI::App* const batch =
+      app_.add_subcommand("batch", "Many pictures of a scene: variants, angles, sizes");
+  addBatchOptions(*batch, batch_);
+  commands_.push_back({batch, [this] { return runBatch(batch_); }});
 
   CLI::App* const view = app_.add_subcommand("view", "A window to look around in");
   addViewOptions(*view, view_);

@@ -85,7 +85,16 @@ struct DoctorOptions {
   std::string json;
 };
 
+struct BatchOptions {
+  std::filesystem::path job;
+  std::filesystem::path folder;  // empty: as the job says
+  int part = 1;                  // of the job, from 1 to `parts`
+  int parts = 1;
+  bool quiet = false;
+};
+
 int runRender(const RenderOptions& options);
+int runBatch(const BatchOptions& options);
 int runView(const ViewOptions& options);
 int runInfo(const InfoOptions& options);
 int runCompare(const CompareOptions& options);

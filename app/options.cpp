@@ -241,6 +241,24 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
   command.add_flag("--quiet", options.quiet, "Say nothing but errors");
 }
 
+void addBatchOptions(CLI::App& command, BatchOptions& options) {
+  command.add_option("JOB", options.job, "A .json that says which pictures of what; docs/batch.md")
+      ->type_name("")
+      ->required();
+  command
+      .add_option("-o,--output", options.folder,
+                  "Folder of the pictures (the job's, else one of its name beside it)")
+      ->type_name("DIR");
+  add(command, "--job-part", "I/N",
+      "Make the Ith of N parts alone; afterwards, without it, the whole manifest",
+      [&](const std::string& text) {
+        const auto [part, parts] = parsePart("--job-part", text);
+        options.part = part;
+        options.parts = parts;
+      });
+  command.add_flag("--quiet", options.quiet, "Say nothing but errors");
+}
+
 void addViewOptions(CLI::App& command, ViewOptions& options) {
   add(command, "SCENE", "", "A .scene.json, .obj, .gltf or .glb (the one that comes with glimt)",
       [&](const std::string& text) { options.scene = text; });

@@ -42,6 +42,7 @@ struct PictureOptions {
 };
 
 struct RenderOptions;
+struct BatchOptions;
 struct ViewOptions;
 struct InfoOptions;
 struct CompareOptions;
@@ -51,6 +52,7 @@ struct DoctorOptions;
 
 // What the options hold is valid once the command line has been parsed. Errors: usage.
 void addRenderOptions(CLI::App& command, RenderOptions& options);
+void addBatchOptions(CLI::App& command, BatchOptions& options);
 void addViewOptions(CLI::App& command, ViewOptions& options);
 void addInfoOptions(CLI::App& command, InfoOptions& options);
 void addCompareOptions(CLI::App& command, CompareOptions& options);

@@ -87,6 +87,18 @@ std::array<int, 2> parseSize(const std::string& option, const std::string& text)
   reject(option, text, fmt::format("WIDTHxHEIGHT, each from 1 to {}", kLargestSide));
 }
 
+std::array<int, 2> parsePart(const std::string& option, const std::string& text) {
+  constexpr std::int64_t kMostParts = 1'000'000;
+  const std::size_t slash = text.find('/');
+  if (slash != std::string::npos) {
+    const auto part = numberIn<std::int64_t>(std::string_view(text).substr(0, slash));
+    const auto parts = numberIn<std::int64_t>(std::string_view(text).substr(slash + 1));
+    if (part && parts && *part >= 1 && *part <= *parts && *parts <= kMostParts)
+      return {static_cast<int>(*part), static_cast<int>(*parts)};
+  }
+  reject(option, text, "I/N, a part and how many there are, like 3/8");
+}
+
 glm::dvec3 parseVector(const std::string& option, const std::string& text) {
   glm::dvec3 vector{0};
   std::string_view rest = text;

@@ -26,6 +26,9 @@ double parsePercent(const std::string& option, const std::string& text);
 // "WxH", pixels.
 std::array<int, 2> parseSize(const std::string& option, const std::string& text);
 
+// "I/N", from 1/1 on, I being at most N.
+std::array<int, 2> parsePart(const std::string& option, const std::string& text);
+
 // "X,Y,Z".
 glm::dvec3 parseVector(const std::string& option, const std::string& text);
 

@@ -9,11 +9,11 @@
 #include "app/interrupt.h"
 #include "app/message.h"
 #include "app/output_files.h"
+#include "app/picture_files.h"
 #include "app/progress.h"
 #include "app/render_report.h"
 #include "app/sampling.h"
 #include "app/stopwatch.h"
-#include "renderer/core/display_transform.h"
 #include "renderer/core/error.h"
 #include "renderer/core/file.h"
 #include "renderer/core/image_file.h"
@@ -23,8 +23,6 @@
 
 namespace glimt {
 namespace {
-
-constexpr int kDefaultSamples = 256;
 
 // A forecast is made after at least so many samples, and then after so many seconds or samples.
 constexpr int kLeastForForecast = 16;
@@ -221,11 +219,7 @@ void RenderCommand::writePictures(const Picture& picture, const Scene& scene) co
   std::exception_ptr first_error;
   for (const auto& output : options_.outputs) {
     try {
-      if (imageFormatOf(output) == ImageFormat::png) {
-        writeDisplayImage(output, displayImage(picture.radiance, exposure, tone));
-      } else {
-        writeImage(output, picture.radiance);
-      }
+      writePicture(output, picture.radiance, exposure, tone);
     } catch (const Error&) {
       if (!first_error) first_error = std::current_exception();
     }

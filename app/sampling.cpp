@@ -51,39 +51,13 @@ class SampleTime {
   double of_sample_ = 0;
 };
 
-// Nothing where only the noise ends the render and is not known yet.
-std::optional<double> secondsLeft(const Limits& limits, const Sampling& done, double of_sample) {
-  std::optional<double> left;
-  const auto atMost = [&](double seconds) {
-    left = std::max(std::min(left.value_or(seconds), seconds), 0.0);
-  };
-  if (limits.samples) atMost((*limits.samples - done.samples) * of_sample);
-  if (limits.seconds) atMost(*limits.seconds - done.seconds);
-  if (limits.noise && done.noise) {
-    const double wanted = done.noise->samplesFor(*limits.noise);
-    if (std::isfinite(wanted)) atMost((wanted - done.samples) * of_sample);
-  }
-  return left;
-}
-
-std::string describe(const Limits& limits, const Sampling& done, double of_sample) {
-  if (done.samples == 0) return fmt::format("first sample, {}", duration(done.seconds));
-  std::string line =
-      fmt::format("{}{} samples, {:.3g} samples/s", done.samples,
-                  limits.samples ? fmt::format(" of {}", *limits.samples) : "", 1 / of_sample);
-  if (done.noise) line += ", noise " + percent(done.noise->relative);
-  if (limits.noise) line += " of " + percent(*limits.noise);
-  const std::optional<double> left = secondsLeft(limits, done, of_sample);
-  return left ? fmt::format("{}, {} left", line, duration(*left)) : line;
-}
-
 std::string describe(const std::exception& error) {
   return dynamic_cast<const std::bad_alloc*>(&error) ? "out of memory" : error.what();
 }
 
 // Samples until a limit is met or the user has had enough.
 void sample(Renderer& renderer, const Limits& limits, const Interrupt& interrupt,
-            Progress& progress, SafePicture& safe, Sampling& done) {
+            const SamplingListener& listener, SafePicture& safe, Sampling& done) {
   const Stopwatch clock;
   SampleTime time;
   std::optional<EndedBy> end;
@@ -100,7 +74,8 @@ void sample(Renderer& renderer, const Limits& limits, const Interrupt& interrupt
     done.noise = renderer.noise();
     time.add(done.samples, done.seconds);
     end = limitMet(limits, done);
-    if (progress.due()) progress.show(describe(limits, done, time.ofSample(done)));
+    done.seconds_per_sample = time.ofSample(done);
+    listener(done);
     safe.keepWhenDue();
   }
   done.ended_by = *end;
@@ -110,12 +85,48 @@ void sample(Renderer& renderer, const Limits& limits, const Interrupt& interrupt
 
 }  // namespace
 
+std::optional<double> secondsLeft(const Limits& limits, const Sampling& done) {
+  if (done.samples == 0) return std::nullopt;
+  std::optional<double> left;
+  const auto atMost = [&](double seconds) {
+    left = std::max(std::min(left.value_or(seconds), seconds), 0.0);
+  };
+  if (limits.samples) atMost((*limits.samples - done.samples) * done.seconds_per_sample);
+  if (limits.seconds) atMost(*limits.seconds - done.seconds);
+  if (limits.noise && done.noise) {
+    const double wanted = done.noise->samplesFor(*limits.noise);
+    if (std::isfinite(wanted)) atMost((wanted - done.samples) * done.seconds_per_sample);
+  }
+  return left;
+}
+
+std::string describe(const Limits& limits, const Sampling& done) {
+  if (done.samples == 0) return fmt::format("first sample, {}", duration(done.seconds));
+  std::string line = fmt::format("{}{} samples, {:.3g} samples/s", done.samples,
+                                 limits.samples ? fmt::format(" of {}", *limits.samples) : "",
+                                 1 / done.seconds_per_sample);
+  if (done.noise) line += ", noise " + percent(done.noise->relative);
+  if (limits.noise) line += " of " + percent(*limits.noise);
+  return line;
+}
+
 Sampling sampleUntil(Renderer& renderer, const Limits& limits, const Interrupt& interrupt,
                      Progress& progress, double seconds_at_risk) {
+  const auto show = [&](const Sampling& done) {
+    if (!progress.due()) return;
+    const std::optional<double> left = secondsLeft(limits, done);
+    progress.show(left ? fmt::format("{}, {} left", describe(limits, done), duration(*left))
+                       : describe(limits, done));
+  };
+  return sampleUntil(renderer, limits, interrupt, show, seconds_at_risk);
+}
+
+Sampling sampleUntil(Renderer& renderer, const Limits& limits, const Interrupt& interrupt,
+                     const SamplingListener& listener, double seconds_at_risk) {
   Sampling done;
   SafePicture safe(renderer, seconds_at_risk);
   try {
-    sample(renderer, limits, interrupt, progress, safe, done);
+    sample(renderer, limits, interrupt, listener, safe, done);
   } catch (const std::exception& error) {
     safe.rescue();
     if (safe.get().samples == 0) throw;

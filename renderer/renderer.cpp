@@ -14,6 +14,7 @@
 #include "renderer/gl/float_target.h"
 #include "renderer/passes/noise_meter.h"
 #include "renderer/passes/path_tracer.h"
+#include "renderer/passes/scene_tree.h"
 #include "renderer/passes/traversal_trial.h"
 #include "renderer/probes/loop_turns.h"
 #include "shaders/layout.h"
@@ -67,11 +68,11 @@ class Renderer::State {
   State(gl::Context& context, const Scene& scene, const RenderSettings& settings,
         const WorkProgress& progress)
       : device(deviceFor(context, settings.traversal, scene.triangles.size())),
-        triangles(scene.triangles.size()),
+        tree(buildSceneTree(scene, device.maxTextureSize(), progress)),
         tracer(device, scene,
                {settings.bounces, settings.seed, settings.traversal, settings.record,
                 settings.sampler, settings.clamp},
-               progress),
+               tree, progress),
         trial(tracer.candidates()),
         noise(device) {
     tracer.resize(settings.width, settings.height);
@@ -138,7 +139,7 @@ class Renderer::State {
   }
 
   gl::Device device;
-  std::size_t triangles;
+  SceneTree tree;
   PathTracer tracer;
   TraversalTrial trial;
   NoiseMeter noise;
@@ -195,6 +196,14 @@ Renderer::Renderer(ContextHandle& context, const Scene& scene, const RenderSetti
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
+
+void Renderer::setMaterials(const Scene& scene) {
+  if (!isOver(state_->tree, scene))
+    throw Error(ErrorKind::usage,
+                "the triangles are not where they were; make another renderer for this scene");
+  state_->tracer.setMaterials(scene, state_->tree);
+  state_->restart();
+}
 
 void Renderer::setCamera(const Camera& camera) {
   state_->tracer.setCamera(camera);
@@ -323,7 +332,7 @@ RenderStatistics Renderer::statistics() const {
   RenderStatistics statistics;
   statistics.traversal = tracer.traversal();
   statistics.traversal_times = state_->trial.times();
-  statistics.triangles = state_->triangles;
+  statistics.triangles = state_->tree.bvh.order.size();
   statistics.nodes = tracer.scene().nodeCount();
   statistics.texture_bytes = tracer.scene().bytes();
   statistics.warnings = tracer.scene().warnings();

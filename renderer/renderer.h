@@ -115,6 +115,12 @@ class Renderer {
   Renderer& operator=(Renderer&&) noexcept;
   ~Renderer();
 
+  // The same triangles with other materials, as in another variant of their file; lights,
+  // environment and camera become those of `scene` too. The tree is kept, and so is every program
+  // that its effects do not change. Errors: usage, where a triangle is not where it was; else as
+  // the constructor's, after which the renderer is as it was.
+  void setMaterials(const Scene& scene);
+
   // Starts the picture again.
   void setCamera(const Camera& camera);
   void resize(int width, int height);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/accuracy/error_time_chart.h"
+#include "app/png_url.h"
 #include "app/svg.h"
 #include "renderer/core/wording.h"
 
@@ -47,25 +48,6 @@ for (const id of ["left", "right", "slider", "difference"]) byId(id).addEventLis
 show();
 </script>
 )html";
-
-std::string base64(const std::string& bytes) {
-  constexpr const char* kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    unsigned group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      out += k <= count ? kDigits[group >> (18 - 6 * k) & 63u] : '=';
-  }
-  return out;
-}
-
-std::string pngUrl(const std::string& bytes) {
-  return bytes.empty() ? "" : "data:image/png;base64," + base64(bytes);
-}
 
 // As a shell takes it.
 std::string quoted(const std::string& word) {

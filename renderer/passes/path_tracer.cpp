@@ -6,6 +6,7 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "renderer/core/error.h"
 #include "renderer/gl/errors.h"
@@ -108,7 +109,9 @@ bool PathTracer::marksEnded(int bounce) const {
 
 PathTracer::ProgramKey PathTracer::keyOf(Pass pass) const {
   const bool traces = pass == Pass::camera || pass == Pass::trace || pass == Pass::light;
-  return {traces ? traversal_ : "", pass};
+  EffectSet effects = effects_;
+  if (pass != Pass::camera) effects = withCamera(effects, Camera());
+  return {traces ? traversal_ : "", pass, effects.to_ulong()};
 }
 
 ShaderRequest PathTracer::requestFor(Pass pass) const {
@@ -151,14 +154,27 @@ void PathTracer::use(const std::string& traversal) {
   compile({});
 }
 
+void PathTracer::setMaterials(const Scene& scene, const SceneTree& tree) {
+  SceneTextures textures(*device_, scene, tree, traversalNamed(traversal_).layout, forced_);
+  const EffectSet before = std::exchange(effects_, withForced(effectsOf(scene), forced_));
+  rays_counted_ = false;
+  alive_.clear();
+  try {
+    restart();
+    compile({});
+  } catch (const Error&) {
+    effects_ = before;
+    restart();
+    throw;
+  }
+  scene_ = std::move(textures);
+  camera_ = scene.camera;
+}
+
 void PathTracer::setCamera(const Camera& camera) {
   camera_ = camera;
-  const EffectSet effects = withForced(withCamera(effects_, camera), forced_);
-  if (effects != effects_) {
-    effects_ = effects;
-    std::erase_if(programs_, [](const auto& entry) { return entry.first.second == Pass::camera; });
-    compile({});
-  }
+  effects_ = withForced(withCamera(effects_, camera), forced_);
+  compile({});
   restart();
 }
 

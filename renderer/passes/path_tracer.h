@@ -4,7 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "renderer/core/light_limits.h"
@@ -49,6 +49,10 @@ class PathTracer {
              const WorkProgress& progress = {});
   PathTracer(const gl::Device& device, const Scene& scene, const PathTracerSettings& settings,
              const SceneTree& tree, const WorkProgress& progress = {});
+
+  // Another scene of the same triangles, with the tree over them. What it calls for and is not
+  // there yet is compiled. Errors: as the constructor's; all is as it was then.
+  void setMaterials(const Scene& scene, const SceneTree& tree);
 
   // Compiles where the camera calls for other effects than the one before.
   void setCamera(const Camera& camera);
@@ -111,8 +115,9 @@ class PathTracer {
     int bounce;
   };
 
-  // Programs are kept by the traversal in them, those without one under no name.
-  using ProgramKey = std::pair<std::string, Pass>;
+  // Programs are kept by what they are composed from: the traversal in them, none for those without
+  // one, the pass, and the effects that it may depend on.
+  using ProgramKey = std::tuple<std::string, Pass, unsigned long>;
   ProgramKey keyOf(Pass pass) const;
   gl::Program& program(Pass pass) { return programs_.at(keyOf(pass)); }
   void planStages();

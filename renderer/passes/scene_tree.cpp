@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "renderer/bvh/node_layout.h"
@@ -47,6 +48,19 @@ SceneTree buildSceneTree(const Scene& scene, int max_texture_size, const WorkPro
   tree.build_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return tree;
+}
+
+bool isOver(const SceneTree& tree, const Scene& scene) {
+  const Bvh& bvh = tree.bvh;
+  if (bvh.order.size() != scene.triangles.size()) return false;
+  const std::vector<Bounds> boxes = boundsOf(scene);
+  return std::all_of(bvh.nodes.begin(), bvh.nodes.end(), [&](const BvhNode& node) {
+    if (!node.leaf()) return true;
+    Bounds box;
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+      box.include(boxes[bvh.order[i]]);
+    return box.min == node.bounds.min && box.max == node.bounds.max;
+  });
 }
 
 void checkFits(const Traversal& traversal, std::size_t stack_size) {

@@ -24,6 +24,10 @@ std::size_t mostTriangles(int max_texture_size);
 SceneTree buildSceneTree(const Scene& scene, int max_texture_size,
                          const WorkProgress& progress = {});
 
+// Whether the tree is one over the scene's triangles: they are as many, and each leaf bounds those
+// that it holds.
+bool isOver(const SceneTree& tree, const Scene& scene);
+
 // Errors: input, where the tree is deeper than the traversal can hold.
 void checkFits(const Traversal& traversal, std::size_t stack_size);
 

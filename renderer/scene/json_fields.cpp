@@ -149,7 +149,7 @@ JsonFields::JsonFields(const JsonDocument& document, std::string name, const jso
     : document_(document), name_(std::move(name)), object_(value) {
   if (!value.is_object()) {
     fail(document, name_,
-         fmt::format("{} must be an object, not {}", name_.empty() ? "the scene" : name_,
+         fmt::format("{} must be an object, not {}", name_.empty() ? "the file" : name_,
                      described(value)));
   }
   const std::vector<std::string> names(known.begin(), known.end());

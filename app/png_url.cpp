@@ -1,0 +1,30 @@
+#include "app/png_url.h"
+
+#include <algorithm>
+
+namespace glimt {
+namespace {
+
+std::string base64(std::string_view bytes) {
+  constexpr const char* kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  out.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    unsigned group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k)
+      out += k <= count ? kDigits[group >> (18 - 6 * k) & 63u] : '=';
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string pngUrl(std::string_view png) {
+  return png.empty() ? "" : "data:image/png;base64," + base64(png);
+}
+
+}  // namespace glimt
