@@ -156,7 +156,8 @@ std::vector<ReportPicture> AccuracyCommand::picturesOf(const AccuracyResult& res
 
 Scene AccuracyCommand::load() {
   progress_.show(fmt::format("loading {}", options_.scene.string()));
-  Scene scene = loadScene(options_.scene, {options_.load.variant, options_.picture.environment});
+  Scene scene = loadScene(options_.scene, {options_.load.variant, options_.picture.environment,
+                                           options_.picture.transparent_background});
   scene.camera = cameraOf(options_.picture.camera, scene);
   progress_.clear();
   if (!options_.quiet)

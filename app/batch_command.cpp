@@ -13,6 +13,7 @@
 #include "app/message.h"
 #include "app/output_files.h"
 #include "app/picture_files.h"
+#include "app/picture_inputs.h"
 #include "app/progress.h"
 #include "app/stopwatch.h"
 #include "renderer/core/display_transform.h"
@@ -22,7 +23,6 @@
 #include "renderer/core/image_file.h"
 #include "renderer/core/sha256.h"
 #include "renderer/core/wording.h"
-#include "renderer/scene/scene_digest.h"
 
 namespace glimt {
 namespace {
@@ -147,22 +147,15 @@ std::string BatchCommand::inputsOf(const BatchPicture& picture) {
   const Scene& scene = renderer_.sceneOf(picture);
   warn(scene);
   const RenderSettings settings = renderer_.settingsOf(picture);
-  const Json json = {{"glimt", GLIMT_VERSION},
-                     {"scene", digestOf(scene)},
-                     {"size", picture.size},
-                     {"bounces", settings.bounces},
-                     {"seed", settings.seed},
-                     {"traversal", settings.traversal},
-                     {"record", settings.record},
-                     {"sampler", static_cast<int>(settings.sampler)},
-                     {"clamp", jsonOrNull(settings.clamp)},
-                     {"gles", job_.picture.gles},
-                     {"backend", static_cast<int>(job_.backend)},
-                     {"spp", jsonOrNull(job_.limits.samples)},
-                     {"time", jsonOrNull(job_.limits.seconds)},
-                     {"noise", jsonOrNull(job_.limits.noise)},
-                     {"exposure", exposureOf(job_.picture, scene)},
-                     {"tone", static_cast<int>(toneOf(job_.picture, scene))}};
+  Json json = glimt::inputsOf(scene, settings);
+  json["traversal"] = settings.traversal;
+  json["gles"] = job_.picture.gles;
+  json["backend"] = job_.backend;
+  json["spp"] = jsonOrNull(job_.limits.samples);
+  json["time"] = jsonOrNull(job_.limits.seconds);
+  json["noise"] = jsonOrNull(job_.limits.noise);
+  json["exposure"] = exposureOf(job_.picture, scene);
+  json["tone"] = toneOf(job_.picture, scene);
   return sha256Of(json.dump());
 }
 
@@ -262,8 +255,10 @@ void BatchCommand::writeContactSheet() {
 // As a display shows it.
 std::string BatchCommand::thumbnail(const BatchPicture& picture) {
   const fs::path file = job_.folder / fileOf(picture, job_.formats.front());
+  if (imageFormatOf(file) == ImageFormat::png)
+    return encodePng(
+        displayImage(reduced(shownImage(readFile(file, kLargestPicture)), kThumbnailSide), 0));
   const Image small = reduced(readImage(file), kThumbnailSide);
-  if (imageFormatOf(file) == ImageFormat::png) return encodePng(displayImage(small, 0));
   const Scene& scene = renderer_.sceneOf(picture.variant);
   return encodePng(
       displayImage(small, exposureOf(job_.picture, scene), toneOf(job_.picture, scene)));

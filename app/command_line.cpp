@@ -72,6 +72,7 @@ class CommandLine {
 
   CLI::App app_{kDescription, "glimt"};
   RenderOptions render_;
+  MergeOptions merge_;
   BatchOptions batch_;
   ViewOptions view_;
   InfoOptions info_;
@@ -91,6 +92,10 @@ CommandLine::CommandLine() {
   CLI::App* const render = app_.add_subcommand("render", "Scene in, pictures out");
   addRenderOptions(*render, render_);
   commands_.push_back({render, [this] { return runRender(render_); }});
+
+  CLI::App* const merge = app_.add_subcommand("merge", "Shares of a picture's samples into one");
+  addMergeOptions(*merge, merge_);
+  commands_.push_back({merge, [this] { return runMerge(merge_); }});
 
   CLI::App* const batch =
       app_.add_subcommand("batch", "Many pictures of a scene: variants, angles, sizes");

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/options.h"
+#include "app/share/share.h"
 #include "renderer/renderer.h"
 #include "renderer/scene/load_scene.h"
 
@@ -23,6 +24,8 @@ struct RenderOptions {
   std::optional<double> noise;    // --noise, as a share of 1
   bool even = false;              // every pixel has all samples, also with a limit on the noise
   bool forecast = false;
+  std::optional<SampleRange> share;  // --samples
+  std::vector<std::string> layers;   // of .exr, see auxiliary_layers.h
   Backend backend = Backend::automatic;
   std::filesystem::path shader_folder;  // empty: they are not written
   std::string json;                     // a file, "-" for standard output, empty for none
@@ -85,6 +88,14 @@ struct DoctorOptions {
   std::string json;
 };
 
+struct MergeOptions {
+  std::vector<std::filesystem::path> shares;
+  std::vector<std::filesystem::path> outputs;
+  float exposure = 0;  // EV
+  Tone tone = Tone::srgb;
+  bool quiet = false;
+};
+
 struct BatchOptions {
   std::filesystem::path job;
   std::filesystem::path folder;  // empty: as the job says
@@ -94,6 +105,7 @@ struct BatchOptions {
 };
 
 int runRender(const RenderOptions& options);
+int runMerge(const MergeOptions& options);
 int runBatch(const BatchOptions& options);
 int runView(const ViewOptions& options);
 int runInfo(const InfoOptions& options);

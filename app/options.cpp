@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 
+#include "app/auxiliary_layers.h"
 #include "app/commands.h"
 #include "app/parse.h"
 #include "renderer/core/error.h"
@@ -90,6 +91,24 @@ void addCamera(CLI::App& command, CameraOptions& camera) {
   })->excludes(name);
 }
 
+void addExposure(CLI::App& command, const std::string& otherwise,
+                 const std::function<void(float)>& take) {
+  add(command, "--exposure", "EV", fmt::format("Brightens the display by 2^EV ({})", otherwise),
+      [take](const std::string& text) {
+        take(static_cast<float>(
+            parseNumberBetween("--exposure", text, -kMostExposure, kMostExposure)));
+      });
+}
+
+void addTone(CLI::App& command, const std::string& otherwise,
+             const std::function<void(Tone)>& take) {
+  add(command, "--tone", "srgb|agx|aces",
+      fmt::format("How light becomes the display's: clipped, or by a curve ({})", otherwise),
+      [take](const std::string& text) {
+        take(toneNamed(parseChoice("--tone", text, {kToneNames.begin(), kToneNames.end()})));
+      });
+}
+
 void addPicture(CLI::App& command, PictureOptions& picture) {
   add(command, "--size", "WxH", "Width and height in pixels (the scene's, else 512x512)",
       [&](const std::string& text) { picture.size = parseSize("--size", text); });
@@ -100,17 +119,8 @@ void addPicture(CLI::App& command, PictureOptions& picture) {
       });
   addCamera(command, picture.camera);
   addEnvironment(command, picture.environment);
-  add(command, "--exposure", "EV", "Brightens the display by 2^EV (the scene's, else 0)",
-      [&](const std::string& text) {
-        picture.exposure = static_cast<float>(
-            parseNumberBetween("--exposure", text, -kMostExposure, kMostExposure));
-      });
-  add(command, "--tone", "srgb|agx|aces",
-      "How light becomes the display's: clipped, or by a curve (the scene's, else srgb)",
-      [&](const std::string& text) {
-        picture.tone =
-            toneNamed(parseChoice("--tone", text, {std::begin(kToneNames), std::end(kToneNames)}));
-      });
+  addExposure(command, "the scene's, else 0", [&](float exposure) { picture.exposure = exposure; });
+  addTone(command, "the scene's, else srgb", [&](Tone tone) { picture.tone = tone; });
   add(command, "--seed", "N", "Another seed, another noise (0)", [&](const std::string& text) {
     picture.seed = static_cast<std::uint32_t>(
         parseInteger("--seed", text, 0, std::numeric_limits<std::uint32_t>::max()));
@@ -130,6 +140,12 @@ void addSampling(CLI::App& command, PictureOptions& picture) {
       [&](const std::string& text) {
         const bool random = parseChoice("--sampler", text, {"sobol", "random"}) == "random";
         picture.sampler = random ? Sampler::random : Sampler::sobol;
+      });
+  add(command, "--background", "scene|transparent",
+      "What is behind the scene: its environment, or nothing, as alpha in .png and .exr (scene)",
+      [&](const std::string& text) {
+        picture.transparent_background =
+            parseChoice("--background", text, {"scene", "transparent"}) == "transparent";
       });
   add(command, "--clamp", "X",
       "Dim samples of a luminance above X: fewer specks, and less light (never)",
@@ -230,6 +246,21 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
     if (options.outputs.empty() && !options.forecast)
       throw Error(ErrorKind::usage, "no picture to write; name one with -o, like -o picture.png");
   });
+  add(command, "--samples", "FIRST:COUNT",
+      "Make these samples alone, as a share for glimt merge; into an .exr",
+      [&](const std::string& text) {
+        const auto [first, count] = parseSamples("--samples", text);
+        options.share = SampleRange{first, count};
+      })
+      ->excludes(command.get_option("--spp"))
+      ->excludes(command.get_option("--time"))
+      ->excludes(command.get_option("--noise"))
+      ->excludes(command.get_option("--forecast"));
+  add(command, "--layers", "all|NAME[,NAME...]",
+      "Also write these into an .exr: albedo, normal, depth, material, noise, cost",
+      [&](const std::string& text) {
+        options.layers = parseChoices("--layers", text, {kLayerNames.begin(), kLayerNames.end()});
+      });
   addPicture(command, options.picture);
   addBackend(command, options.backend);
   addSampling(command, options.picture);
@@ -238,6 +269,21 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       .add_option("--dump-shaders", options.shader_folder,
                   "Write the shaders that the scene calls for into this folder")
       ->type_name("DIR");
+  command.add_flag("--quiet", options.quiet, "Say nothing but errors");
+}
+
+void addMergeOptions(CLI::App& command, MergeOptions& options) {
+  command.add_option("SHARE", options.shares, "Pictures that glimt render --samples made, .exr")
+      ->type_name("...")
+      ->required();
+  command
+      .add_option("-o,--output", options.outputs,
+                  "Picture to write; an .exr is a share again; may be given several times")
+      ->type_name("FILE")
+      ->required()
+      ->allow_extra_args(false);
+  addExposure(command, "0", [&](float exposure) { options.exposure = exposure; });
+  addTone(command, "srgb", [&](Tone tone) { options.tone = tone; });
   command.add_flag("--quiet", options.quiet, "Say nothing but errors");
 }
 

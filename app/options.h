@@ -33,6 +33,7 @@ struct PictureOptions {
   std::optional<int> bounces;
   std::optional<float> exposure;  // EV
   std::optional<Tone> tone;
+  std::optional<bool> transparent_background;
   std::uint32_t seed = 0;
   std::string traversal = "auto";
   std::string record = "packed";
@@ -42,6 +43,7 @@ struct PictureOptions {
 };
 
 struct RenderOptions;
+struct MergeOptions;
 struct BatchOptions;
 struct ViewOptions;
 struct InfoOptions;
@@ -52,6 +54,7 @@ struct DoctorOptions;
 
 // What the options hold is valid once the command line has been parsed. Errors: usage.
 void addRenderOptions(CLI::App& command, RenderOptions& options);
+void addMergeOptions(CLI::App& command, MergeOptions& options);
 void addBatchOptions(CLI::App& command, BatchOptions& options);
 void addViewOptions(CLI::App& command, ViewOptions& options);
 void addInfoOptions(CLI::App& command, InfoOptions& options);

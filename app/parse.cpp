@@ -99,6 +99,33 @@ std::array<int, 2> parsePart(const std::string& option, const std::string& text)
   reject(option, text, "I/N, a part and how many there are, like 3/8");
 }
 
+std::array<int, 2> parseSamples(const std::string& option, const std::string& text) {
+  constexpr std::int64_t kMost = std::numeric_limits<int>::max();
+  const std::size_t colon = text.find(':');
+  if (colon != std::string::npos) {
+    const auto first = numberIn<std::int64_t>(std::string_view(text).substr(0, colon));
+    const auto count = numberIn<std::int64_t>(std::string_view(text).substr(colon + 1));
+    if (first && count && *first >= 0 && *first <= kMost && *count >= 1 && *count <= kMost - *first)
+      return {static_cast<int>(*first), static_cast<int>(*count)};
+  }
+  reject(option, text, "FIRST:COUNT, like 0:64 or 64:64");
+}
+
+std::vector<std::string> parseChoices(const std::string& option, const std::string& text,
+                                      const std::vector<std::string>& choices) {
+  if (text == "all") return choices;
+  std::vector<std::string> chosen;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string name = text.substr(begin, end - begin);
+    if (std::find(choices.begin(), choices.end(), name) == choices.end())
+      reject(option, text, fmt::format("all, or some of {}", fmt::join(choices, ",")));
+    chosen.push_back(name);
+    begin = end + 1;
+  }
+  return chosen;
+}
+
 glm::dvec3 parseVector(const std::string& option, const std::string& text) {
   glm::dvec3 vector{0};
   std::string_view rest = text;

@@ -26,6 +26,13 @@ double parsePercent(const std::string& option, const std::string& text);
 // "WxH", pixels.
 std::array<int, 2> parseSize(const std::string& option, const std::string& text);
 
+// "FIRST:COUNT", FIRST from 0 and COUNT from 1 on.
+std::array<int, 2> parseSamples(const std::string& option, const std::string& text);
+
+// Some of `choices`, with commas between them, or "all".
+std::vector<std::string> parseChoices(const std::string& option, const std::string& text,
+                                      const std::vector<std::string>& choices);
+
 // "I/N", from 1/1 on, I being at most N.
 std::array<int, 2> parsePart(const std::string& option, const std::string& text);
 

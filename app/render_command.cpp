@@ -4,19 +4,24 @@
 #include <exception>
 #include <optional>
 
+#include "app/auxiliary_layers.h"
 #include "app/commands.h"
 #include "app/forecast.h"
 #include "app/interrupt.h"
 #include "app/message.h"
 #include "app/output_files.h"
 #include "app/picture_files.h"
+#include "app/picture_inputs.h"
 #include "app/progress.h"
 #include "app/render_report.h"
 #include "app/sampling.h"
+#include "app/share/share.h"
 #include "app/stopwatch.h"
 #include "renderer/core/error.h"
 #include "renderer/core/file.h"
 #include "renderer/core/image_file.h"
+#include "renderer/core/image_layers.h"
+#include "renderer/core/sha256.h"
 #include "renderer/core/wording.h"
 #include "renderer/scene/effects_of.h"
 #include "renderer/scene/load_scene.h"
@@ -60,7 +65,9 @@ class RenderCommand {
   Sampling sampleFor(Renderer& renderer);
   std::string lossesOf(Renderer& renderer) const;
   void measureLimits(Renderer& renderer);
-  void writePictures(const Picture& picture, const Scene& scene) const;
+  RenderSettings settingsFor(const Scene& scene) const;
+  ImageLayers layersFor(const Sampling& sampling, const Scene& scene, Renderer& renderer);
+  void writePictures(const Sampling& sampling, const Scene& scene, Renderer& renderer);
   void warn(const std::string& what);
   void endIfInterrupted() const;
 
@@ -74,7 +81,7 @@ class RenderCommand {
 void RenderCommand::run() {
   checkOutputs();
   const Scene scene = load();
-  report_.settings = settingsOf(options_.picture, scene);
+  report_.settings = settingsFor(scene);
   // Until here, where there is nothing to be saved, a signal may end the program as it does any.
   interrupt_.emplace();
 
@@ -88,7 +95,7 @@ void RenderCommand::run() {
   if (!options_.shader_folder.empty()) writeShaders(renderer);
   const Sampling sampling = render(renderer);
 
-  writePictures(sampling.picture, scene);
+  writePictures(sampling, scene, renderer);
   report_.total = clock_.seconds();
   if (sampling.ended_by != EndedBy::interrupt && sampling.failure.empty()) measureLimits(renderer);
   writeJson(options_.json, jsonOf(report_));
@@ -112,6 +119,21 @@ Renderer RenderCommand::makeRenderer(ContextHandle& context, const Scene& scene)
   }
 }
 
+RenderSettings RenderCommand::settingsFor(const Scene& scene) const {
+  RenderSettings settings = settingsOf(options_.picture, scene);
+  if (options_.share && scene.transparent_background)
+    throw Error(ErrorKind::usage,
+                "shares of a picture with a transparent background cannot be merged; leave out "
+                "--samples or the background");
+  if (options_.share) settings.first_sample = options_.share->first;
+  settings.keep_spread = options_.share.has_value();
+  keepFor(options_.layers, settings);
+  if (settings.keep_path_lengths && scene.transparent_background)
+    throw Error(ErrorKind::usage,
+                "the cost is not known over a transparent background; ask for other --layers");
+  return settings;
+}
+
 void RenderCommand::writeShaders(const Renderer& renderer) const {
   makeFolder(options_.shader_folder);
   for (const auto& [pass, text] : renderer.shaders())
@@ -120,7 +142,11 @@ void RenderCommand::writeShaders(const Renderer& renderer) const {
 
 void RenderCommand::checkOutputs() const {
   for (const auto& output : options_.outputs) {
-    imageFormatOf(output);
+    const bool exr = imageFormatOf(output) == ImageFormat::exr;
+    if (options_.share && !exr)
+      throw Error(ErrorKind::usage,
+                  fmt::format("{}: a share of the samples is written as .exr, for glimt merge",
+                              printable(output.string())));
     checkWritable(output);
   }
   checkJsonFile(options_.json);
@@ -128,7 +154,8 @@ void RenderCommand::checkOutputs() const {
 
 Scene RenderCommand::load() {
   progress_.show(fmt::format("loading {}", options_.scene.string()));
-  Scene scene = loadScene(options_.scene, {options_.load.variant, options_.picture.environment});
+  Scene scene = loadScene(options_.scene, {options_.load.variant, options_.picture.environment,
+                                           options_.picture.transparent_background});
   scene.camera = cameraOf(options_.picture.camera, scene);
   report_.scene = options_.scene;
   report_.outputs = options_.outputs;
@@ -142,6 +169,7 @@ Scene RenderCommand::load() {
 
 Limits RenderCommand::limits() const {
   Limits limits{options_.samples, options_.seconds, options_.noise};
+  if (options_.share) limits.samples = options_.share->count;
   if (!limits.samples && !limits.seconds && !limits.noise) limits.samples = kDefaultSamples;
   return limits;
 }
@@ -212,14 +240,38 @@ void RenderCommand::measureLimits(Renderer& renderer) {
   report_.measure_limits = clock_.seconds() - report_.total;
 }
 
+// All that an .exr holds. What GL fails in is left out, and told.
+ImageLayers RenderCommand::layersFor(const Sampling& sampling, const Scene& scene,
+                                     Renderer& renderer) {
+  const Picture& picture = sampling.picture;
+  ImageLayers layers = layersOf(picture.radiance);
+  if (options_.share)
+    layers = layersOf(Share{{{options_.share->first, picture.samples}},
+                            sha256Of(inputsOf(scene, report_.settings).dump()),
+                            picture.radiance,
+                            picture.pixel_samples,
+                            picture.spread});
+  if (options_.layers.empty() || !sampling.failure.empty()) return layers;
+  try {
+    addAuxiliaryLayers(layers, options_.layers, picture, renderer);
+  } catch (const Error& error) {
+    warn(fmt::format("there are not all layers: {}", error.what()));
+  }
+  return layers;
+}
+
 // A file that cannot be written does not keep the others from being written.
-void RenderCommand::writePictures(const Picture& picture, const Scene& scene) const {
+void RenderCommand::writePictures(const Sampling& sampling, const Scene& scene,
+                                  Renderer& renderer) {
   const float exposure = exposureOf(options_.picture, scene);
   const Tone tone = toneOf(options_.picture, scene);
   std::exception_ptr first_error;
   for (const auto& output : options_.outputs) {
     try {
-      writePicture(output, picture.radiance, exposure, tone);
+      if (imageFormatOf(output) == ImageFormat::exr)
+        writeLayers(output, layersFor(sampling, scene, renderer));
+      else
+        writePicture(output, sampling.picture.radiance, exposure, tone);
     } catch (const Error&) {
       if (!first_error) first_error = std::current_exception();
     }

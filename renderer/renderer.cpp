@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "renderer/core/error.h"
+#include "renderer/core/luminance.h"
 #include "renderer/core/wording.h"
 #include "renderer/gl/context.h"
 #include "renderer/gl/errors.h"
@@ -55,6 +56,33 @@ gl::Device deviceFor(gl::Context& context, const std::string& traversal, std::si
   return device;
 }
 
+PathTracerSettings tracerSettings(const RenderSettings& settings) {
+  PathTracerSettings out{settings.bounces, settings.seed,    settings.traversal,
+                         settings.record,  settings.sampler, settings.clamp};
+  out.first_sample = settings.first_sample;
+  out.squares = settings.keep_spread;
+  out.path_lengths = settings.keep_path_lengths;
+  return out;
+}
+
+// Rows from the top, of those that GL has from the bottom.
+template <typename Value, typename ValueOf>
+std::vector<Value> fromTop(const std::vector<Vec4>& texels, const Film& film,
+                           const ValueOf& valueOf) {
+  std::vector<Value> values;
+  values.reserve(texels.size());
+  for (int y = film.height() - 1; y >= 0; --y)
+    for (int x = 0; x < film.width(); ++x)
+      values.push_back(valueOf(texels[static_cast<std::size_t>(y) * film.width() + x]));
+  return values;
+}
+
+// What covers a pixel: surfaces and, where there are none, the shadow on a catcher.
+float alphaOf(const Vec4& seen) {
+  const float shadow = seen.z > 0 ? 1 - seen.y / seen.z : 0;
+  return std::clamp(seen.x + (1 - seen.x) * shadow, 0.0f, 1.0f);
+}
+
 std::array<double, kPassCount> filled(double value) {
   std::array<double, kPassCount> values;
   values.fill(value);
@@ -69,10 +97,7 @@ class Renderer::State {
         const WorkProgress& progress)
       : device(deviceFor(context, settings.traversal, scene.triangles.size())),
         tree(buildSceneTree(scene, device.maxTextureSize(), progress)),
-        tracer(device, scene,
-               {settings.bounces, settings.seed, settings.traversal, settings.record,
-                settings.sampler, settings.clamp},
-               tree, progress),
+        tracer(device, scene, tracerSettings(settings), tree, progress),
         trial(tracer.candidates()),
         noise(device) {
     tracer.resize(settings.width, settings.height);
@@ -136,6 +161,26 @@ class Renderer::State {
   }
   std::optional<NoiseEstimate> noiseNow() {
     return watched([&] { return noise.measure(tracer.accumulation(), tracer.samples()); });
+  }
+
+  // What is kept of the pixels beside the mean, whose texels these are.
+  void addKept(Picture& picture, const std::vector<Vec4>& means) const {
+    const Film& film = tracer.film();
+    picture.pixel_samples = fromTop<float>(means, film, [](const Vec4& mean) { return mean.a; });
+    if (const Accumulation* const coverage = tracer.kept(Accumulated::coverage))
+      picture.radiance.alpha = fromTop<float>(coverage->readMean(), film, alphaOf);
+    if (const Accumulation* const lengths = tracer.kept(Accumulated::path_length))
+      picture.path_lengths =
+          fromTop<float>(lengths->readMean(), film, [](const Vec4& mean) { return mean.x; });
+    const Accumulation* const squares = tracer.kept(Accumulated::square);
+    if (squares == nullptr) return;
+    picture.spread =
+        fromTop<float>(squares->readMean(), film, [](const Vec4& mean) { return mean.x; });
+    for (std::size_t i = 0; i < picture.spread.size(); ++i) {
+      const double light = luminance(picture.radiance.pixels[i]);
+      const double variance = picture.spread[i] - light * light;
+      picture.spread[i] = static_cast<float>(std::sqrt(std::max(variance, 0.0)));
+    }
   }
 
   gl::Device device;
@@ -260,6 +305,7 @@ Picture Renderer::picture() {
       image.pixels.emplace_back(texel);
       picture.nonfinite_pixels += texel.a < static_cast<float>(state_->samplesAt(x, y));
     }
+  state_->addKept(picture, texels);
   return picture;
 }
 
@@ -273,6 +319,44 @@ std::optional<NoiseEstimate> Renderer::noiseNow() {
 
 Image Renderer::radiance() {
   return picture().radiance;
+}
+
+FirstHits Renderer::firstHits(int rays) {
+  PathTracer& tracer = state_->tracer;
+  while (!tracer.atSampleStart()) state_->drawTile();
+  const Film& film = tracer.film();
+  const Camera& camera = tracer.camera();
+  const Vec3 forward = CameraFrame(camera).forward;
+  const auto count = static_cast<std::size_t>(film.width()) * film.height();
+  FirstHits hits{std::vector<Vec3>(count),
+                 std::vector<Vec3>(count),
+                 std::vector<float>(count),
+                 {},
+                 std::vector<float>(count)};
+  const auto texelsOf = [&](int ray, int wanted) {
+    return fromTop<Vec4>(tracer.firstHits(ray, wanted), film, [](const Vec4& v) { return v; });
+  };
+  for (int ray = 0; ray < rays; ++ray) {
+    const std::vector<Vec4> albedo = texelsOf(ray, 0);
+    const std::vector<Vec4> normal = texelsOf(ray, 1);
+    const std::vector<Vec4> place = texelsOf(ray, 2);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (ray == 0) hits.material.push_back(place[i].a);
+      if (!(albedo[i].a > 0)) continue;
+      hits.coverage[i] += 1;
+      hits.albedo[i] += Vec3(albedo[i]);
+      hits.normal[i] += Vec3(normal[i]);
+      hits.depth[i] += glm::dot(Vec3(place[i]) - camera.position, forward);
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const float met = std::max(hits.coverage[i], 1.0f);
+    hits.albedo[i] /= met;
+    hits.normal[i] /= met;
+    hits.depth[i] /= met;
+    hits.coverage[i] /= static_cast<float>(rays);
+  }
+  return hits;
 }
 
 int Renderer::nonfinitePixels() {

@@ -67,6 +67,11 @@ struct RenderSettings {
   std::string record = "packed";   // how hits are kept: "packed", or "wide", which needs ES 3.0
   Sampler sampler = Sampler::sobol;
   std::optional<float> clamp;  // see LightLimits; none: samples are as bright as they are
+  // Of the sequence of samples: those before are drawn elsewhere.
+  int first_sample = 0;
+  // What is kept beside the radiance, at the price of one more draw a sample each.
+  bool keep_spread = false;        // Picture::spread
+  bool keep_path_lengths = false;  // Picture::path_lengths; not over a transparent background
 };
 
 struct RenderStatistics {
@@ -94,10 +99,26 @@ struct Losses {
 
 // On the CPU, out of reach of what happens to the context.
 struct Picture {
-  Image radiance;  // the mean; pixels without a sample are black
+  // The mean; pixels without a sample are black. It has an alpha where the scene's background is
+  // transparent.
+  Image radiance;
   int samples = 0;
   double mean_samples = 0;   // over the pixels: fewer where some rest, see restBelow()
   int nonfinite_pixels = 0;  // that have lost a sample, see nonfinitePixels()
+  // For each pixel, rows from the top.
+  std::vector<float> pixel_samples = {};  // that are in its mean
+  std::vector<float> spread = {};        // standard deviation of its samples' luminance, where kept
+  std::vector<float> path_lengths = {};  // surfaces that its paths met, in the mean, where kept
+};
+
+// What the camera's rays meet first, for each pixel, rows from the top. Zeros where they meet
+// nothing.
+struct FirstHits {
+  std::vector<Vec3> albedo;     // base colour
+  std::vector<Vec3> normal;     // for shading, world space, on the camera's side
+  std::vector<float> depth;     // metres along the view
+  std::vector<float> material;  // 1 + its index in Scene::materials, of one ray
+  std::vector<float> coverage;  // share of the rays that met anything
 };
 
 class Renderer {
@@ -151,6 +172,10 @@ class Renderer {
   // The complete samples so far. Errors: failed, when the context is lost.
   Picture picture();
   Image radiance();  // of it
+
+  // The means over so many of the first rays of each pixel, of those that meet something. The
+  // picture stays as it is; a sample under way is completed first. Errors: as renderSample's.
+  FirstHits firstHits(int rays);
 
   // How wrong the picture still is by chance; nothing before it has 8 samples. noise() measures at
   // most so often that it takes a hundredth of the time, and may be of some samples ago. noiseNow()

@@ -1,6 +1,6 @@
 // The accumulation pass: radiance to the sum of the samples of this block, by blending, or where
 // the device cannot blend floats by reading what is there. A sample that is not finite, or not known,
-// leaves the sum and its count as they were.
+// leaves the sum and its count as they were. The composer defines ACCUMULATED, what of a sample is summed.
 uniform sampler2D uRadiance;
 #if !ADDITIVE_BLENDING
 uniform sampler2D uBlock;
@@ -8,7 +8,7 @@ uniform sampler2D uBlock;
 
 void main() {
   vec2 at = pictureAddress(pixelCenter());
-  vec3 radiance = texture2D(uRadiance, at).rgb;
+  vec3 radiance = ACCUMULATED(texture2D(uRadiance, at));
 #if CLAMP
   if (isGoodSample(radiance)) radiance = clampedSample(radiance);
 #endif

@@ -8,6 +8,9 @@ void main() {
 #if ENVIRONMENT
   bool escaped = !ended && record.triangle == TRIANGLE_NONE;
   if (escaped) radiance = escapedRadiance(record);
+#if TRANSPARENT_BACKGROUND
+  if (isSeen()) radiance = vec3(0.0);
+#endif
   ended = ended || escaped;
 #endif
 #if LIVE_ONLY

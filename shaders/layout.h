@@ -52,7 +52,7 @@
 //   thin-walled, else 0
 //   4: clear coat, its roughness, roughness of the sheen, square of gloss_albedo.glsl for
 //   rough glass
-//   5: colour of the sheen r, g, b, free
+//   5: colour of the sheen r, g, b; 1 for a shadow catcher, else 0
 //   6: alpha; below which alpha it is a hole, negative where alpha is a share; scale of the normal
 //   map; 1 where vertex colours multiply the emission
 //   from TEXTURE_USES on: the uses of pictures, in the order of the *_TEXTURE below
@@ -98,6 +98,11 @@
 //   3: a spot's brightness is (second + first * cosine)^2, within 0 and 1; of the alias table:
 //   share of the entry that goes to its own light, index of the other one
 #define PUNCTUAL_LIGHT_TEXELS 4.0
+
+// The fourth channel of a sample's radiance where the background is transparent: what the camera's ray
+// has met; see coverage.glsl.
+#define SEEN_SURFACE 1.0
+#define SEEN_CATCHER 2.0
 
 // Samples that are summed before they become part of the mean: enough that the mean is updated
 // seldom, few enough that the sum is exact to 3e-6. See sample_mean.glsl.

@@ -4,10 +4,13 @@
 uniform sampler2D uRadiance;
 #endif
 
-void addRadiance(vec3 radiance, vec2 pixel) {
-  vec4 sum = vec4(radiance, 0.0);
+void addToSample(vec4 sum, vec2 pixel) {
 #if !ADDITIVE_BLENDING
   sum += texture2D(uRadiance, pictureAddress(pixel));
 #endif
   writeTexel(sum);
+}
+
+void addRadiance(vec3 radiance, vec2 pixel) {
+  addToSample(vec4(radiance, 0.0), pixel);
 }

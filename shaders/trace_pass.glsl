@@ -14,6 +14,9 @@ void main() {
 #if (MIRROR || GLASS || CLEARCOAT) && FROM_RECORD
   ray.wanted = ray.wanted && (uDeltaOnly < 0.5 || ray.pdf >= PDF_DELTA);
 #endif
+#if SHADOW_CATCHER && FROM_RECORD
+  ray.wanted = ray.wanted && !isShadowCatcher(start);
+#endif
   Hit hit = followRay(ray);
 
 #if FROM_CAMERA

@@ -103,6 +103,8 @@ PictureOptions readPicture(const JsonFields& fields) {
   picture.exposure = fields.number("exposure", kExposure);
   if (const auto tone = choice(fields, "tone", {kToneNames.begin(), kToneNames.end()}))
     picture.tone = toneNamed(*tone);
+  if (const auto background = choice(fields, "background", {"scene", "transparent"}))
+    picture.transparent_background = background == "transparent";
   picture.seed = static_cast<std::uint32_t>(fields.integer("seed", kSeed).value_or(0));
   picture.traversal = fields.text("traversal").value_or(picture.traversal);
   picture.record = choice(fields, "record", {"packed", "wide"}).value_or(picture.record);
@@ -157,6 +159,7 @@ BatchJob readBatchJob(const fs::path& path) {
                            "bounces",
                            "exposure",
                            "tone",
+                           "background",
                            "seed",
                            "traversal",
                            "record",

@@ -8,7 +8,8 @@ namespace glimt {
 const Scene& BatchRenderer::sceneOf(const std::string& variant) {
   if (variant_ != variant) {
     variant_.reset();
-    scene_ = loadScene(job_.scene, {variant, job_.picture.environment});
+    scene_ = loadScene(job_.scene,
+                       {variant, job_.picture.environment, job_.picture.transparent_background});
     own_camera_ = scene_.camera;
     variant_ = variant;
   }
@@ -55,6 +56,7 @@ void BatchRenderer::prepare(const BatchPicture& picture, const WorkProgress& pro
   renderer_->setLimits({settings.bounces, settings.clamp});
   renderer_->resize(settings.width, settings.height);
   renderer_->setCamera(scene.camera);
+  renderer_->restBelow(job_.limits.noise);
 }
 
 void BatchRenderer::forget() {

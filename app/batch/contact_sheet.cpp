@@ -6,6 +6,8 @@
 
 #include "app/png_url.h"
 #include "app/svg.h"
+#include "renderer/core/image_rgba.h"
+#include "renderer/core/srgb.h"
 #include "renderer/core/wording.h"
 
 namespace glimt {
@@ -48,17 +50,35 @@ std::string cell(const ContactSheetPicture& picture) {
 
 }  // namespace
 
+Image shownImage(std::string_view png) {
+  const RgbaImage rgba = decodeRgba(png);
+  Image image{rgba.width, rgba.height, {}};
+  for (std::size_t i = 0; i < rgba.bytes.size(); i += 4) {
+    const float alpha = static_cast<float>(rgba.bytes[i + 3]) / 255;
+    Vec3 color;
+    for (int c = 0; c < 3; ++c)
+      color[c] = static_cast<float>(linearOfSrgb(rgba.bytes[i + static_cast<std::size_t>(c)]));
+    image.pixels.push_back(alpha * color);
+    image.alpha.push_back(alpha);
+  }
+  return image;
+}
+
 Image reduced(const Image& image, int side) {
   const int step = std::max((std::max(image.width, image.height) + side - 1) / side, 1);
   Image small{(image.width + step - 1) / step, (image.height + step - 1) / step, {}};
   for (int y = 0; y < small.height; ++y) {
     for (int x = 0; x < small.width; ++x) {
-      Vec3 sum(0);
-      int count = 0;
-      for (int j = step * y; j < std::min(step * (y + 1), image.height); ++j)
-        for (int i = step * x; i < std::min(step * (x + 1), image.width); ++i, ++count)
-          sum += image.pixels[static_cast<std::size_t>(j) * image.width + i];
-      small.pixels.push_back(sum / static_cast<float>(count));
+      Vec4 sum(0);
+      float count = 0;
+      for (int j = step * y; j < std::min(step * (y + 1), image.height); ++j) {
+        for (int i = step * x; i < std::min(step * (x + 1), image.width); ++i, ++count) {
+          const std::size_t at = static_cast<std::size_t>(j) * image.width + i;
+          sum += Vec4(image.pixels[at], image.alpha.empty() ? 1 : image.alpha[at]);
+        }
+      }
+      small.pixels.emplace_back(sum / count);
+      if (!image.alpha.empty()) small.alpha.push_back(sum.a / count);
     }
   }
   return small;

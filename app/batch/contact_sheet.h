@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "renderer/core/image.h"
@@ -15,6 +16,9 @@ struct ContactSheetPicture {
   std::string note;    // what there is to say of it, one line
   std::string png;     // small; empty where there is no picture
 };
+
+// A .png as it is shown, its alpha included. Errors: input, without the file's name.
+Image shownImage(std::string_view png);
 
 // A picture that is at most `side` pixels wide and high, each pixel the mean of those it stands
 // for; smaller ones are left as they are.

@@ -78,12 +78,17 @@ DisplayImage displayImage(const Image& radiance, float exposure, Tone tone) {
   const float scale = std::exp2(exposure);
   DisplayImage display{radiance.width, radiance.height, {}};
   display.bytes.reserve(3 * radiance.pixels.size());
-  for (const Vec3& pixel : radiance.pixels) {
-    const Vec3 shown = shownLight(pixel, scale, tone);
+  for (std::size_t i = 0; i < radiance.pixels.size(); ++i) {
+    // What covers a part of a pixel is as bright as if it covered the whole.
+    const float alpha = radiance.alpha.empty() ? 1 : radiance.alpha[i];
+    const Vec3 covering = alpha > 0 ? radiance.pixels[i] / alpha : Vec3(0);
+    const Vec3 shown = shownLight(covering, scale, tone);
     for (int channel = 0; channel < 3; ++channel) {
       const float value = encodeSrgb(shown[channel]);
       display.bytes.push_back(static_cast<std::uint8_t>(std::lround(255 * value)));
     }
+    if (!radiance.alpha.empty())
+      display.alpha.push_back(static_cast<std::uint8_t>(std::lround(255 * alpha)));
   }
   return display;
 }

@@ -13,6 +13,9 @@ struct Image {
   int width = 0;
   int height = 0;
   std::vector<Vec3> pixels;
+  // How much of each pixel is covered, 0 to 1, the radiance being that of what covers it
+  // (associated alpha); empty: all of all.
+  std::vector<float> alpha = {};
 };
 
 // Display values, sRGB-encoded, three bytes a pixel; rows from the top, pixels from the left.
@@ -20,6 +23,7 @@ struct DisplayImage {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> bytes;
+  std::vector<std::uint8_t> alpha = {};  // of each pixel, not multiplied with it; empty: opaque
 };
 
 }  // namespace glimt

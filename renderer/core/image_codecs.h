@@ -22,7 +22,8 @@ void demandPlausibleSize(long long width, long long height, std::size_t bytes,
 Image decodePfm(std::string_view bytes);
 std::string encodePfm(const Image& image);
 
-// OpenEXR: one part in scan lines, channels R G B or one grey one. Written as 32-bit floats.
+// OpenEXR: one part in scan lines, channels R G B or one grey one. Written as 32-bit floats, with
+// an alpha where the picture has one. More than that: image_layers.h.
 Image decodeExr(std::string_view bytes);
 std::string encodeExr(const Image& image);
 
@@ -30,7 +31,8 @@ std::string encodeExr(const Image& image);
 Image decodeHdr(std::string_view bytes);
 std::string encodeHdr(const Image& image);
 
-// PNG, sRGB. Decoding makes it linear and forgets transparency.
+// PNG, sRGB. Decoding makes it linear and forgets transparency; written is it where the picture has
+// an alpha.
 Image decodePng(std::string_view bytes);
 std::string encodePng(const DisplayImage& image);
 

@@ -9,6 +9,7 @@
 
 #include "renderer/core/error.h"
 #include "renderer/core/image_codecs.h"
+#include "renderer/core/image_layers.h"
 #include "renderer/core/wording.h"
 
 namespace glimt {
@@ -173,47 +174,37 @@ Image decodeExr(std::string_view bytes) {
   return image;
 }
 
-std::string encodeExr(const Image& image) {
-  // Channels are stored in the order of their names.
-  std::array<std::vector<float>, 3> planes;
-  for (int c = 0; c < 3; ++c) {
-    std::vector<float>& plane = planes[static_cast<std::size_t>(2 - c)];
-    plane.reserve(image.pixels.size());
-    for (const Vec3& pixel : image.pixels) plane.push_back(pixel[c]);
+ImageLayers decodeLayers(std::string_view bytes) {
+  Header parsed(bytes);
+  EXRHeader& header = parsed.header;
+  const long long width = 1LL + header.data_window.max_x - header.data_window.min_x;
+  const long long height = 1LL + header.data_window.max_y - header.data_window.min_y;
+  demandPlausibleSize(width, height, bytes.size(), 2.0 * static_cast<double>(width));
+  demandPlausibleBlocks(header, width, height, bytes.size());
+  for (int c = 0; c < header.num_channels; ++c) {
+    if (header.pixel_types[c] == TINYEXR_PIXELTYPE_UINT || header.channels[c].x_sampling != 1 ||
+        header.channels[c].y_sampling != 1)
+      bad("the EXR picture has channels of integers, or at a lower resolution");
+    header.requested_pixel_types[c] = TINYEXR_PIXELTYPE_FLOAT;
   }
-  std::array<unsigned char*, 3> images{};
-  std::array<EXRChannelInfo, 3> channels{};
-  std::array<int, 3> types{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    images[c] = reinterpret_cast<unsigned char*>(planes[c].data());
-    channels[c].name[0] = "BGR"[c];
-    channels[c].x_sampling = 1;
-    channels[c].y_sampling = 1;
-    types[c] = TINYEXR_PIXELTYPE_FLOAT;
+  const std::string padded = std::string(bytes) + std::string(kPadding, '\0');
+  const Pixels pixels(std::string_view(padded).substr(0, bytes.size()), header);
+  if (pixels.image.width != width || pixels.image.height != height ||
+      pixels.image.images == nullptr) {
+    bad("damaged EXR picture");
   }
-
-  EXRImage source;
-  InitEXRImage(&source);
-  source.num_channels = 3;
-  source.images = images.data();
-  source.width = image.width;
-  source.height = image.height;
-  EXRHeader header;
-  InitEXRHeader(&header);
-  header.num_channels = 3;
-  header.channels = channels.data();
-  header.pixel_types = types.data();
-  header.requested_pixel_types = types.data();
-  header.compression_type = TINYEXR_COMPRESSIONTYPE_ZIP;
-
-  unsigned char* memory = nullptr;
-  Message message;
-  const std::size_t size = SaveEXRImageToMemory(&source, &header, &memory, message.out());
-  const std::unique_ptr<unsigned char, void (*)(void*)> owner(memory, std::free);
-  if (size == 0) {
-    throw Error(ErrorKind::failed, fmt::format("cannot write EXR ({}); try .pfm", message.text()));
+  ImageLayers layers{static_cast<int>(width), static_cast<int>(height), {}, {}};
+  for (int c = 0; c < header.num_channels; ++c) {
+    const auto* values = reinterpret_cast<const float*>(pixels.image.images[c]);
+    layers.channels[header.channels[c].name].assign(values, values + width * height);
   }
-  return std::string(reinterpret_cast<const char*>(memory), size);
+  for (int i = 0; i < header.num_custom_attributes; ++i) {
+    const EXRAttribute& attribute = header.custom_attributes[i];
+    if (std::strcmp(attribute.type, "string") == 0 && attribute.size >= 0)
+      layers.notes[attribute.name] = std::string(reinterpret_cast<const char*>(attribute.value),
+                                                 static_cast<std::size_t>(attribute.size));
+  }
+  return layers;
 }
 
 }  // namespace glimt

@@ -62,6 +62,17 @@ Image decodePng(std::string_view bytes) {
 
 std::string encodePng(const DisplayImage& image) {
   std::string bytes;
+  if (!image.alpha.empty()) {
+    std::vector<std::uint8_t> texels;
+    texels.reserve(4 * image.alpha.size());
+    for (std::size_t i = 0; i < image.alpha.size(); ++i) {
+      texels.insert(texels.end(), &image.bytes[3 * i], &image.bytes[3 * i] + 3);
+      texels.push_back(image.alpha[i]);
+    }
+    stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, texels.data(),
+                           4 * image.width);
+    return bytes;
+  }
   stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, image.bytes.data(),
                          3 * image.width);
   return bytes;

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "renderer/shader/composer.h"
-
 namespace glimt {
 namespace {
 
-gl::Program makeProgram(const gl::Device& device, Pass pass, bool clamp = false) {
+gl::Program makeProgram(const gl::Device& device, Pass pass, bool clamp = false,
+                        Accumulated accumulated = Accumulated::radiance) {
   ShaderRequest request;
   request.pass = pass;
+  request.accumulated = accumulated;
   request.clamp = clamp;
   request.additive_blending = device.floatBlending();
   return {device.gl(), nameOf(pass), composeVertexShader(), composeFragmentShader(request)};
@@ -24,9 +24,10 @@ Vec4 meanWithBlock(const Vec4& mean, const Vec4& block) {
 
 }  // namespace
 
-Accumulation::Accumulation(const gl::Device& device, const std::optional<float>& clamp)
+Accumulation::Accumulation(const gl::Device& device, const std::optional<float>& clamp,
+                           Accumulated accumulated)
     : device_(&device),
-      accumulate_(makeProgram(device, Pass::accumulate, clamp.has_value())),
+      accumulate_(makeProgram(device, Pass::accumulate, clamp.has_value(), accumulated)),
       close_block_(makeProgram(device, Pass::close_block)),
       clamp_(clamp.value_or(0)) {}
 

@@ -1,4 +1,4 @@
-// The mean of the samples of a picture.
+// The mean of the samples of a picture, or of something else that a sample has.
 #pragma once
 
 #include <optional>
@@ -7,6 +7,7 @@
 #include "renderer/gl/device.h"
 #include "renderer/gl/program.h"
 #include "renderer/passes/film.h"
+#include "renderer/shader/composer.h"
 
 namespace glimt {
 
@@ -15,7 +16,8 @@ namespace glimt {
 class Accumulation {
  public:
   // `clamp` is the luminance above which samples are dimmed, none for never.
-  explicit Accumulation(const gl::Device& device, const std::optional<float>& clamp = std::nullopt);
+  explicit Accumulation(const gl::Device& device, const std::optional<float>& clamp = std::nullopt,
+                        Accumulated accumulated = Accumulated::radiance);
 
   // Takes another clamp for the samples to come, where there was one from the beginning.
   void setClamp(float clamp) { clamp_ = clamp; }

@@ -38,7 +38,7 @@ void packLayers(const Material& material, const std::vector<float>& iors,
   texels.emplace_back(absorptionOf(material), material.thin_walled ? 1.0f : 0.0f);
   texels.emplace_back(material.clearcoat, material.clearcoat_roughness, material.sheen_roughness,
                       static_cast<float>(squareOfIor(iors, material.ior)));
-  texels.emplace_back(material.sheen_color, 0.0f);
+  texels.emplace_back(material.sheen_color, material.shadow_catcher ? 1.0f : 0.0f);
 }
 
 Vec4 factorsOf(const Material& material) {

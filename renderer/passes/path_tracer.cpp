@@ -52,6 +52,12 @@ Record recordFor(const gl::Device& device, const std::string& name) {
   return record;
 }
 
+// Over a transparent background the picture is not the sum of all that a sample has.
+Accumulated seenOf(const EffectSet& effects) {
+  return has(effects, Effect::transparent_background) ? Accumulated::seen_radiance
+                                                      : Accumulated::radiance;
+}
+
 }  // namespace
 
 PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
@@ -68,17 +74,43 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
                                       mostTexels(device.maxTextureSize()))),
       traversal_(candidates_.front()),
       record_(recordFor(device, settings.record)),
+      first_sample_(static_cast<std::uint32_t>(settings.first_sample)),
+      path_lengths_(settings.path_lengths),
+      squares_(settings.squares),
       scene_(device, scene, tree, traversalNamed(traversal_).layout, settings.forced),
       offsets_(points_.makeOffsets(device)),
       forced_(settings.forced),
       effects_(withForced(effectsOf(scene), forced_)),
       bounces_(settings.bounces),
       live_only_(settings.live_only && canDrawLiveOnly(device)),
-      accumulation_(device, settings.clamp),
+      clamp_(settings.clamp),
+      accumulation_(device, settings.clamp, seenOf(effects_)),
       camera_(scene.camera),
       query_(device.gl()) {
+  keepBeside();
   planStages();
   compile(progress);
+}
+
+void PathTracer::keepBeside() {
+  const bool transparent = has(effects_, Effect::transparent_background);
+  kept_.clear();
+  const auto keep = [&](Accumulated what) {
+    kept_.emplace(what, Accumulation(*device_, std::nullopt, what));
+  };
+  if (transparent) keep(Accumulated::coverage);
+  if (squares_) keep(Accumulated::square);
+  if (path_lengths_ && !transparent) keep(Accumulated::path_length);
+}
+
+void PathTracer::resizeAccumulations(int width, int height) {
+  accumulation_.resize(width, height);
+  for (auto& [what, accumulation] : kept_) accumulation.resize(width, height);
+}
+
+const Accumulation* PathTracer::kept(Accumulated what) const {
+  const auto found = kept_.find(what);
+  return found == kept_.end() ? nullptr : &found->second;
 }
 
 void PathTracer::planStages() {
@@ -108,7 +140,8 @@ bool PathTracer::marksEnded(int bounce) const {
 }
 
 PathTracer::ProgramKey PathTracer::keyOf(Pass pass) const {
-  const bool traces = pass == Pass::camera || pass == Pass::trace || pass == Pass::light;
+  const bool traces =
+      pass == Pass::camera || pass == Pass::trace || pass == Pass::light || pass == Pass::first_hit;
   EffectSet effects = effects_;
   if (pass != Pass::camera) effects = withCamera(effects, Camera());
   return {traces ? traversal_ : "", pass, effects.to_ulong()};
@@ -122,6 +155,7 @@ ShaderRequest PathTracer::requestFor(Pass pass) const {
   request.record = record_.name;
   request.additive_blending = device_->floatBlending();
   request.live_only = live_only_;
+  request.path_length = path_lengths_;
   request.gles = std::max(traversalNamed(traversal_).gles, record_.gles);
   return request;
 }
@@ -135,17 +169,21 @@ std::map<std::string, std::string> PathTracer::shaders() const {
 
 void PathTracer::compile(const WorkProgress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  const std::string vertex = composeVertexShader(requestFor(Pass::camera).gles);
   for (const Stage& stage : stages_) {
     const bool accumulates = stage.pass == Pass::accumulate || stage.pass == Pass::close_block;
     if (accumulates || programs_.contains(keyOf(stage.pass))) continue;
     if (progress) progress(1);
-    programs_.emplace(keyOf(stage.pass),
-                      gl::Program(device_->gl(), nameOf(stage.pass), vertex,
-                                  composeFragmentShader(requestFor(stage.pass))));
+    compileOne(stage.pass);
   }
   compile_seconds_ +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void PathTracer::compileOne(Pass pass) {
+  const ShaderRequest request = requestFor(pass);
+  programs_.emplace(keyOf(pass), gl::Program(device_->gl(), nameOf(pass),
+                                             composeVertexShader(requestFor(Pass::camera).gles),
+                                             composeFragmentShader(request)));
 }
 
 void PathTracer::use(const std::string& traversal) {
@@ -168,6 +206,11 @@ void PathTracer::setMaterials(const Scene& scene, const SceneTree& tree) {
     throw;
   }
   scene_ = std::move(textures);
+  if (seenOf(effects_) != seenOf(before)) {
+    accumulation_ = Accumulation(*device_, clamp_, seenOf(effects_));
+    keepBeside();
+    resizeAccumulations(film_.width(), film_.height());
+  }
   camera_ = scene.camera;
 }
 
@@ -181,12 +224,13 @@ void PathTracer::setCamera(const Camera& camera) {
 void PathTracer::resize(int width, int height) {
   if (width == film_.width() && height == film_.height()) return;
   film_ = Film(*device_, width, height, record_.samplers.size());
-  accumulation_.resize(width, height);
+  resizeAccumulations(width, height);
   restart();
 }
 
 void PathTracer::setLimits(const LightLimits& limits) {
   bounces_ = limits.bounces;
+  if (clamp_) clamp_ = limits.clamp.value_or(kNeverClamped);
   accumulation_.setClamp(limits.clamp.value_or(kNeverClamped));
   rays_counted_ = false;
   alive_.clear();
@@ -203,6 +247,7 @@ void PathTracer::setSampler(Sampler sampler, std::uint32_t seed) {
 void PathTracer::restart() {
   resting_.clear();
   accumulation_.clear();
+  for (auto& [what, accumulation] : kept_) accumulation.clear();
   samples_ = 0;
   planStages();
   stage_ = 0;
@@ -254,6 +299,29 @@ std::size_t PathTracer::stageAfter() const {
   return alive_now_ ? next % stages_.size() : std::max(next, static_cast<std::size_t>(sum));
 }
 
+std::vector<Vec4> PathTracer::firstHits(int sample, int wanted) {
+  const Stage camera{Pass::camera, 0};
+  const gl::Tile whole{0, 0, film_.width(), film_.height()};
+  if (!programs_.contains(keyOf(Pass::first_hit))) compileOne(Pass::first_hit);
+  gl::clearErrors(device_->gl());
+  gl::Program& rays = program(Pass::camera);
+  bindPath(rays, camera, first_sample_ + static_cast<std::uint32_t>(sample));
+  bindCamera(rays, camera_, film_.width(), film_.height());
+  film_.record.back().bind();
+  device_->draw(whole);
+  film_.record.swap();
+
+  const gl::Target told(
+      gl::Texture::floats(device_->gl(), device_->floatForm(), film_.width(), film_.height()));
+  gl::Program& hits = program(Pass::first_hit);
+  bindPath(hits, camera, first_sample_ + static_cast<std::uint32_t>(sample));
+  hits.set("uWanted", static_cast<float>(wanted));
+  told.bind();
+  device_->draw(whole);
+  gl::checkErrors(device_->gl(), "drawing the pass " + nameOf(Pass::first_hit));
+  return told.readFloats();
+}
+
 void PathTracer::takeBackSample() {
   --samples_;
 }
@@ -287,20 +355,18 @@ void PathTracer::beginSample() {
 void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
   if (stage.pass == Pass::accumulate) {
     accumulation_.add(film_.radiance.front().texture(), tile);
+    for (auto& [what, accumulation] : kept_)
+      accumulation.add(film_.radiance.front().texture(), tile);
     return;
   }
   if (stage.pass == Pass::close_block) {
     accumulation_.closeBlock(tile);
+    for (auto& [what, accumulation] : kept_) accumulation.closeBlock(tile);
     return;
   }
   gl::Program& program = this->program(stage.pass);
-  program.use();
-  program.set("uZero", Vec4(0));
-  program.set("uPictureStep", 1.0f / Vec2(film_.width(), film_.height()));
-  scene_.bind(program);
-  bindSamplePoint(program, stage);
-  for (std::size_t i = 0; i < record_.samplers.size(); ++i)
-    program.set(record_.samplers[i], film_.record.front().texture(i));
+  bindPath(program, stage, first_sample_ + static_cast<std::uint32_t>(samples_));
+  program.set("uFromCamera", isOfCamera(stage) ? 1.0f : 0.0f);
   gl::DrawState state;
   if (live_only_)
     state.limit = stage.pass == Pass::escape ? gl::Limit::unmarked_then_mark : gl::Limit::unmarked;
@@ -322,6 +388,22 @@ void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
   device_->draw(tile, state);
 }
 
+// What every pass of a path asks for.
+void PathTracer::bindPath(gl::Program& program, const Stage& stage, std::uint32_t sample) const {
+  program.use();
+  program.set("uZero", Vec4(0));
+  program.set("uPictureStep", 1.0f / Vec2(film_.width(), film_.height()));
+  scene_.bind(program);
+  bindSamplePoint(program, stage, sample);
+  for (std::size_t i = 0; i < record_.samplers.size(); ++i)
+    program.set(record_.samplers[i], film_.record.front().texture(i));
+}
+
+// Whether the record that the stage reads is that of the camera's ray.
+bool PathTracer::isOfCamera(const Stage& stage) {
+  return stage.bounce == (stage.pass == Pass::trace ? 1 : 0);
+}
+
 // One tile with a living path is enough to know.
 void PathTracer::drawRays(const gl::Tile& tile, const gl::DrawState& state) {
   if (alive_now_) {
@@ -337,11 +419,13 @@ void PathTracer::drawRays(const gl::Tile& tile, const gl::DrawState& state) {
 void PathTracer::endStage(const Stage& stage) {
   if (stage.pass == Pass::accumulate) {
     accumulation_.endSample();
+    for (auto& [what, accumulation] : kept_) accumulation.endSample();
   } else if (stage.pass == Pass::close_block) {
     // Before the block is forgotten it has to be part of the mean.
     device_->gl().Finish();
     gl::checkErrors(device_->gl(), "closing a block of samples");
     accumulation_.endBlock();
+    for (auto& [what, accumulation] : kept_) accumulation.endBlock();
   } else if (stage.pass == Pass::escape || stage.pass == Pass::light) {
     if (!device_->floatBlending()) film_.radiance.swap();
     if (stage.pass == Pass::light && !rays_counted_ && alive_.back() == 0) {
@@ -376,14 +460,15 @@ void PathTracer::countRays(const Stage& stage) {
   rays_counted_ = last;
 }
 
-void PathTracer::bindSamplePoint(gl::Program& program, const Stage& stage) const {
+void PathTracer::bindSamplePoint(gl::Program& program, const Stage& stage,
+                                 std::uint32_t sample) const {
   const std::uint32_t set =
       stage.pass == Pass::light ? lightSet(stage.bounce) : raySet(stage.bounce);
-  points_.bindPoints(program, "uPoint", static_cast<std::uint32_t>(samples_), set);
+  points_.bindPoints(program, "uPoint", sample, set);
   program.set("uOffsetsShift", points_.offsetsShift(set));
   program.set("uOffsets", offsets_);
   if (stage.pass != Pass::camera) return;
-  points_.bindPoints(program, "uLensPoint", static_cast<std::uint32_t>(samples_), kLensSet);
+  points_.bindPoints(program, "uLensPoint", sample, kLensSet);
   program.set("uLensOffsetsShift", points_.offsetsShift(kLensSet));
 }
 

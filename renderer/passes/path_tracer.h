@@ -32,6 +32,10 @@ struct PathTracerSettings {
   // Effects that are compiled and run although the scene does not call for them, with what they
   // imply, see withForced(). In a scene with light the picture is the same but for its noise.
   EffectSet forced = {};
+  int first_sample = 0;       // of the sequence; those before are another tracer's
+  bool path_lengths = false;  // Accumulated::path_length is kept, where the background is not
+                              // transparent
+  bool squares = false;       // Accumulated::square is kept
 };
 
 // Rays of the first sample.
@@ -67,8 +71,9 @@ class PathTracer {
   // Forgets all samples, and lets nothing rest.
   void restart();
 
-  // Whether parts of the picture can rest.
-  bool canRest() const { return live_only_; }
+  // Whether parts of the picture can rest. The noise by which that is decided is not that of shadows
+  // on a catcher.
+  bool canRest() const { return live_only_ && !has(effects_, Effect::shadow_catcher); }
 
   // These pixels get no more samples, from the sample on that begins.
   void rest(std::vector<gl::Tile> tiles) { resting_ = std::move(tiles); }
@@ -89,6 +94,10 @@ class PathTracer {
   // GL fails; what was complete before stays so.
   double drawTile(double pixels);
 
+  // What the camera's rays of a sample meet, as first_hit.glsl tells it, rows from the bottom. To
+  // be called at a sample's start; which one it is does not matter to those of the picture.
+  std::vector<Vec4> firstHits(int sample, int wanted);
+
   // Right after the draw that completed a sample: it is not counted. Pixels that have it keep it,
   // each with its own number of samples.
   void takeBackSample();
@@ -98,7 +107,11 @@ class PathTracer {
 
   int samples() const { return samples_; }
   const Film& film() const { return film_; }
+  const Camera& camera() const { return camera_; }
   const Accumulation& accumulation() const { return accumulation_; }
+  // What is kept beside the radiance: coverage where the background is transparent, and what the
+  // settings ask for. Null for what is not.
+  const Accumulation* kept(Accumulated what) const;
   const SceneTextures& scene() const { return scene_; }
   const std::string& traversal() const { return traversal_; }  // the one in use
   const RayCounts& rays() const { return rays_; }
@@ -120,11 +133,14 @@ class PathTracer {
   using ProgramKey = std::tuple<std::string, Pass, unsigned long>;
   ProgramKey keyOf(Pass pass) const;
   gl::Program& program(Pass pass) { return programs_.at(keyOf(pass)); }
+  void keepBeside();
+  void resizeAccumulations(int width, int height);
   void planStages();
   void planBounce(int bounce);
   bool marksEnded(int bounce) const;
   ShaderRequest requestFor(Pass pass) const;
   void compile(const WorkProgress& progress);
+  void compileOne(Pass pass);
   gl::Tile nextTile(double pixels) const;
   void beginStage(const Stage& stage);
   void beginSample();
@@ -132,15 +148,20 @@ class PathTracer {
   void endStage(const Stage& stage);
   void countRays(const Stage& stage);
   bool asksWhetherAlive(const Stage& stage) const;
+  static bool isOfCamera(const Stage& stage);
   void drawRays(const gl::Tile& tile, const gl::DrawState& state);
   std::size_t stageAfter() const;
-  void bindSamplePoint(gl::Program& program, const Stage& stage) const;
+  void bindSamplePoint(gl::Program& program, const Stage& stage, std::uint32_t sample) const;
+  void bindPath(gl::Program& program, const Stage& stage, std::uint32_t sample) const;
 
   const gl::Device* device_;
   SamplePoints points_;
   std::vector<std::string> candidates_;
   std::string traversal_;
   Record record_;
+  std::uint32_t first_sample_;
+  bool path_lengths_;
+  bool squares_;
   SceneTextures scene_;
   gl::Texture offsets_;
   EffectSet forced_;
@@ -151,7 +172,9 @@ class PathTracer {
   std::map<ProgramKey, gl::Program> programs_;
   std::vector<Stage> stages_;
   Film film_;
+  std::optional<float> clamp_;
   Accumulation accumulation_;
+  std::map<Accumulated, Accumulation> kept_;  // beside it
   Camera camera_;
   std::vector<double>
       alive_;  // share of the paths that met a triangle, for each bounce; of the first sample

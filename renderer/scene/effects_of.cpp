@@ -105,6 +105,12 @@ EffectReport reportPunctualLights(const Scene& scene) {
           count == 1 ? reason + "s" : reason};
 }
 
+EffectReport reportTransparentBackground(const Scene& scene) {
+  const bool on = scene.transparent_background;
+  return {Effect::transparent_background, nameOf(Effect::transparent_background), on,
+          on ? "the background is transparent" : "the background is what the camera sees there"};
+}
+
 EffectReport reportLens(const Camera& camera) {
   std::string reason = "all is sharp: the camera's aperture is a point";
   if (camera.orthographic_height > 0)
@@ -140,7 +146,14 @@ std::vector<EffectReport> reportEffects(const Scene& scene) {
   };
   const auto normal_map = [](const Material& m) { return m.normal_texture.used(); };
   const auto passable = [](const Material& m) { return m.alpha_mode != AlphaMode::opaque; };
+  const auto catches = [](const Material& m) { return m.shadow_catcher; };
   const auto unlit = [](const Material& m) { return m.unlit; };
+  EffectReport catchers =
+      reportMaterials(scene, Effect::shadow_catcher, catches, "a shadow catcher");
+  if (catchers.on && !scene.transparent_background) {
+    catchers.on = false;
+    catchers.reason = "the background is not transparent";
+  }
   return {
       reportTriangleLights(scene),
       reportEnvironment(scene),
@@ -162,7 +175,9 @@ std::vector<EffectReport> reportEffects(const Scene& scene) {
       reportMaterials(scene, Effect::unlit, unlit, "unlit"),
       reportPunctualLights(scene),
       reportLens(scene.camera),
-      reportOrthographic(scene.camera)};
+      reportOrthographic(scene.camera),
+      reportTransparentBackground(scene),
+      catchers};
 }
 
 EffectSet effectsOf(const Scene& scene) {
@@ -184,11 +199,14 @@ EffectSet withImplied(EffectSet effects) {
   const bool passes = on(Effect::glass) || on(Effect::rough_glass);
   if ((on(Effect::thin_walls) || on(Effect::absorption)) && !passes) set(Effect::glass, true);
   if (on(Effect::orthographic)) set(Effect::lens, false);
+  if (on(Effect::shadow_catcher)) set(Effect::transparent_background, true);
   return effects;
 }
 
 EffectSet withForced(const EffectSet& effects, EffectSet forced) {
-  forced.reset(static_cast<std::size_t>(Effect::orthographic));
+  for (const Effect effect :
+       {Effect::orthographic, Effect::transparent_background, Effect::shadow_catcher})
+    forced.reset(static_cast<std::size_t>(effect));
   return withImplied(effects | forced);
 }
 

@@ -28,7 +28,7 @@ EffectSet withCamera(EffectSet effects, const Camera& camera);
 EffectSet withImplied(EffectSet effects);
 
 // Those of a scene, and forced ones that no part of it calls for. The camera stays what it is: a
-// parallel projection is not forced, nor a lens upon one.
+// parallel projection is not forced, nor a lens upon one; and the background does.
 EffectSet withForced(const EffectSet& effects, EffectSet forced);
 
 }  // namespace glimt

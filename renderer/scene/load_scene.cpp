@@ -160,6 +160,8 @@ Scene loadWithin(const fs::path& path, const LoadSettings& settings) {
   checkScene(scene);
   placeCameras(file, path, scene);
   placeEnvironment(file, settings.environment, scene);
+  scene.transparent_background =
+      settings.transparent_background.value_or(scene.render.transparent_background.value_or(false));
   return scene;
 }
 

@@ -20,6 +20,7 @@ struct EnvironmentChoice {
 struct LoadSettings {
   std::string variant;  // of the materials, one of Scene::variants; empty: as they are without
   EnvironmentChoice environment;
+  std::optional<bool> transparent_background = std::nullopt;  // none: as the file says
 };
 
 // Reads `*.scene.json`, `*.obj`, `*.gltf` or `*.glb`. The scene that comes back is checked: indices

@@ -69,7 +69,9 @@ struct Material {
   float clearcoat_roughness = 0;  // in [0, 1]
   Vec3 sheen_color{0};            // reflectance of fibres over the rest, each channel in [0, 1]
   float sheen_roughness = 0;      // in [0, 1]
-  bool unlit = false;             // shows its base colour as it is: emits it, and reflects nothing
+  // Where the background is transparent the camera sees the shadows on it alone.
+  bool shadow_catcher = false;
+  bool unlit = false;  // shows its base colour as it is: emits it, and reflects nothing
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha = 1;  // multiplies the texture's
   float alpha_cutoff = 0.5f;
@@ -144,6 +146,7 @@ struct RenderDefaults {
   std::optional<int> bounces;              // secondary bounces
   std::optional<float> exposure;           // EV
   std::optional<Tone> tone;
+  std::optional<bool> transparent_background;
 };
 
 struct Scene {
@@ -163,6 +166,8 @@ struct Scene {
   std::vector<std::string> variants;  // names of the materials' variants that the file has
   Camera camera;
   Environment environment;
+  // The camera sees no light from outside the scene; other rays do.
+  bool transparent_background = false;
   RenderDefaults render;
   std::vector<std::string> warnings;  // one line each, for people
 };

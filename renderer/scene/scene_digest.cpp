@@ -63,14 +63,14 @@ class Digest {
   void add(const Material& material) {
     const auto& [name, base_color, emission, double_sided, metallic, roughness, specular, ior,
                  transmission, thin_walled, attenuation_color, attenuation_distance, clearcoat,
-                 clearcoat_roughness, sheen_color, sheen_roughness, unlit, alpha_mode, alpha,
-                 alpha_cutoff, base_color_texture, metallic_roughness_texture, emission_texture,
-                 normal_texture, normal_scale, transmission_texture, clearcoat_texture,
-                 clearcoat_roughness_texture, sheen_color_texture, sheen_roughness_texture] =
-        material;
+                 clearcoat_roughness, sheen_color, sheen_roughness, shadow_catcher, unlit,
+                 alpha_mode, alpha, alpha_cutoff, base_color_texture, metallic_roughness_texture,
+                 emission_texture, normal_texture, normal_scale, transmission_texture,
+                 clearcoat_texture, clearcoat_roughness_texture, sheen_color_texture,
+                 sheen_roughness_texture] = material;
     add(base_color, emission, double_sided, metallic, roughness, specular, ior, transmission,
         thin_walled, attenuation_color, attenuation_distance, clearcoat, clearcoat_roughness,
-        sheen_color, sheen_roughness, unlit, alpha_mode, alpha, alpha_cutoff);
+        sheen_color, sheen_roughness, shadow_catcher, unlit, alpha_mode, alpha, alpha_cutoff);
     add(base_color_texture, metallic_roughness_texture, emission_texture, normal_texture,
         normal_scale, transmission_texture, clearcoat_texture, clearcoat_roughness_texture,
         sheen_color_texture, sheen_roughness_texture);
@@ -95,9 +95,10 @@ class Digest {
 
   void add(const Scene& scene) {
     const auto& [name, origin, positions, normals, triangles, texcoords, colors, materials, images,
-                 lights, cameras, variants, camera, environment, render, warnings] = scene;
+                 lights, cameras, variants, camera, environment, transparent_background, render,
+                 warnings] = scene;
     add(positions, normals, triangles, texcoords, colors, materials, images, lights, camera,
-        environment);
+        environment, transparent_background);
   }
 
  private:

@@ -104,6 +104,7 @@ MaterialSettings readMaterial(std::string name, const JsonFields& fields) {
   material.clearcoat_roughness = fields.number("clearcoat_roughness", kUnit);
   material.sheen_color = fields.vector("sheen_color", kUnit);
   material.sheen_roughness = fields.number("sheen_roughness", kUnit);
+  material.shadow_catcher = fields.boolean("shadow_catcher");
   return material;
 }
 
@@ -131,6 +132,7 @@ void apply(const MaterialSettings& settings, Material& material) {
   replace(material.clearcoat_roughness, settings.clearcoat_roughness);
   replace(material.sheen_color, settings.sheen_color);
   replace(material.sheen_roughness, settings.sheen_roughness);
+  replace(material.shadow_catcher, settings.shadow_catcher);
 }
 
 RenderDefaults readRender(const JsonFields& fields) {
@@ -141,6 +143,11 @@ RenderDefaults readRender(const JsonFields& fields) {
   }
   render.bounces = fields.integer("bounces", kBounces);
   render.exposure = fields.number("exposure", kExposure);
+  if (const std::optional<std::string> background = fields.text("background")) {
+    if (*background != "scene" && *background != "transparent")
+      fields.reject("background", "scene or transparent");
+    render.transparent_background = *background == "transparent";
+  }
   if (const std::optional<std::string> tone = fields.text("tone")) {
     if (std::find(kToneNames.begin(), kToneNames.end(), *tone) == kToneNames.end())
       fields.reject("tone", "srgb, agx or aces");
@@ -187,13 +194,13 @@ SceneFile readSceneFile(const fs::path& path) {
           document, fmt::format("materials.{}", printable(name)), value,
           {"base_color", "metallic", "roughness", "ior", "transmission", "emission", "double_sided",
            "specular", "thin_walled", "attenuation_color", "attenuation_distance", "clearcoat",
-           "clearcoat_roughness", "sheen_color", "sheen_roughness"});
+           "clearcoat_roughness", "sheen_color", "sheen_roughness", "shadow_catcher"});
       file.materials.push_back(readMaterial(name, material));
     }
   }
   if (const auto* render = fields.object("render")) {
-    file.render = readRender(
-        JsonFields(document, "render", *render, {"size", "bounces", "exposure", "tone"}));
+    file.render = readRender(JsonFields(document, "render", *render,
+                                        {"size", "bounces", "exposure", "tone", "background"}));
   }
   return file;
 }

@@ -30,6 +30,7 @@ struct MaterialSettings {
   std::optional<float> clearcoat_roughness;
   std::optional<Vec3> sheen_color;
   std::optional<float> sheen_roughness;
+  std::optional<bool> shadow_catcher;
 };
 
 struct NamedCameraSettings {

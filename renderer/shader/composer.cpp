@@ -25,8 +25,10 @@ constexpr unsigned kTrace = bit(Pass::trace);
 constexpr unsigned kEscape = bit(Pass::escape);
 constexpr unsigned kLight = bit(Pass::light);
 constexpr unsigned kWholePath = bit(Pass::display) << 1;  // no pass; see composePathProbe
-constexpr unsigned kPaths = kCamera | kTrace | kLight | kWholePath;
-constexpr unsigned kBounces = kTrace | kLight | kWholePath;  // start from a hit record
+constexpr unsigned kFirstHit = bit(Pass::first_hit);
+// What the pass of first hits does not call the compiler leaves out.
+constexpr unsigned kPaths = kCamera | kTrace | kLight | kFirstHit | kWholePath;
+constexpr unsigned kBounces = kTrace | kLight | kFirstHit | kWholePath;  // start from a hit record
 constexpr unsigned kNoise = bit(Pass::keep) | bit(Pass::change);
 constexpr unsigned kMeans =
     bit(Pass::accumulate) | bit(Pass::close_block) | kNoise | bit(Pass::display);
@@ -84,12 +86,15 @@ constexpr const char* kRecordOutput = "*_record_output.glsl";
 // Stands for what dims bright samples, where that was asked for.
 constexpr const char* kClamp = "sample_clamp.glsl";
 
+// Stands for what takes other than the radiance from a sample, where that was asked for.
+constexpr const char* kAccumulated = "*_accumulated.glsl";
+
 // Stands for the file of the tone that was asked for.
 constexpr const char* kTone = "tone_*.glsl";
 
 // In the order in which they are put together: a file comes after those that it calls.
 const auto kPieces = std::to_array<Piece>({
-    {"layout.h", kPaths | bit(Pass::change), {}},
+    {"layout.h", kPaths | bit(Pass::change) | bit(Pass::accumulate), {}},
     {"picture.glsl",
      kPaths | kEscape | bit(Pass::accumulate) | bit(Pass::close_block) | kNoise,
      {}},
@@ -156,7 +161,9 @@ const auto kPieces = std::to_array<Piece>({
     {"environment_map.glsl", kBounces | kEscape, with(Effect::environment_map)},
     {"light_sample.glsl", kArrivals, {}},
     {"radiance_target.glsl", kLight | kEscape, {}},
-    {kRecordInput, kTrace | kEscape | kLight, {}},
+    {"seen_by_camera.glsl", kTrace | kLight | kEscape, with(Effect::transparent_background)},
+    {"shadow_catcher.glsl", kTrace | kLight, with(Effect::shadow_catcher)},
+    {kRecordInput, kTrace | kEscape | kLight | kFirstHit, {}},
     {kRecordOutput, kCamera | kTrace, {}},
     {"absorption.glsl", kCamera | kTrace | kWholePath, with(Effect::absorption)},
     {"trace.glsl", kCamera | kTrace | kWholePath, {}},
@@ -164,9 +171,13 @@ const auto kPieces = std::to_array<Piece>({
     {"escape.glsl", kEscape | kWholePath, with(Effect::environment)},
     {"escape_pass.glsl", kEscape, {}},
     {"light.glsl", kArrivals, {}},
+    {"luminance.glsl", kLight, with(Effect::shadow_catcher)},
+    {"caught_light.glsl", kLight, with(Effect::shadow_catcher)},
     {"light_pass.glsl", kLight, {}},
+    {"first_hit.glsl", kFirstHit, {}},
     {"whole_path.glsl", kWholePath, {}},
     {"sample_mean.glsl", kMeans, {}},
+    {kAccumulated, bit(Pass::accumulate), {}},
     {kClamp, bit(Pass::accumulate), {}},
     {"accumulate.glsl", bit(Pass::accumulate), {}},
     {"close_block.glsl", bit(Pass::close_block), {}},
@@ -207,6 +218,7 @@ std::map<std::string, bool> answers(unsigned pass, const ShaderRequest& request)
       {"ADDITIVE_BLENDING", request.additive_blending},
       {"LIVE_ONLY", request.live_only},
       {"CLAMP", request.clamp},
+      {"PATH_LENGTH", request.path_length},
   };
   for (int i = 0; i < kEffectCount; ++i) {
     const auto effect = static_cast<Effect>(i);
@@ -239,6 +251,27 @@ ToneShader shaderOf(Tone tone) {
   return {"displayTransform", ""};
 }
 
+struct AccumulatedShader {
+  const char* function;
+  std::vector<std::string> files;
+};
+
+AccumulatedShader shaderOf(Accumulated accumulated) {
+  switch (accumulated) {
+    case Accumulated::seen_radiance:
+      return {"seenRadiance", {"coverage.glsl"}};
+    case Accumulated::coverage:
+      return {"seenCoverage", {"coverage.glsl"}};
+    case Accumulated::square:
+      return {"luminanceSquare", {"luminance.glsl", "coverage.glsl", "square.glsl"}};
+    case Accumulated::path_length:
+      return {"pathLength", {"path_length.glsl"}};
+    case Accumulated::radiance:
+      break;
+  }
+  return {"vec3", {}};
+}
+
 std::string clampText() {
   return shaderText("luminance.glsl") + shaderText(kClamp);
 }
@@ -248,6 +281,11 @@ std::string pieces(unsigned pass, const ShaderRequest& request) {
     const ToneShader tone = shaderOf(request.tone);
     if (file == kTraversal) return traversalText(request.traversal);
     if (file == kClamp) return request.clamp ? clampText() : "";
+    if (file == kAccumulated) {
+      std::string text;
+      for (const std::string& part : shaderOf(request.accumulated).files) text += shaderText(part);
+      return text;
+    }
     if (file == kTone) return *tone.file ? shaderText(tone.file) : "";
     if (file == kRecordInput) return shaderText(recordNamed(request.record).input_file);
     if (file == kRecordOutput) return shaderText(recordNamed(request.record).output_file);
@@ -265,8 +303,8 @@ std::string pieces(unsigned pass, const ShaderRequest& request) {
 }  // namespace
 
 std::string nameOf(Pass pass) {
-  constexpr std::array kNames{"camera",      "trace", "escape", "light",  "accumulate",
-                              "close block", "keep",  "change", "display"};
+  constexpr std::array kNames{"camera",      "trace",     "escape", "light",  "accumulate",
+                              "close block", "first hit", "keep",   "change", "display"};
   return kNames[static_cast<std::size_t>(pass)];
 }
 
@@ -284,10 +322,12 @@ std::string composeVertexShader(int gles) {
 
 std::string composeFragmentShader(const ShaderRequest& request) {
   const unsigned pass = bit(request.pass);
-  return startFor(request.gles) +
-         (request.pass == Pass::display
-              ? fmt::format("#define DISPLAY_TRANSFORM {}\n", shaderOf(request.tone).function)
-              : "") +
+  std::string chosen;
+  if (request.pass == Pass::display)
+    chosen = fmt::format("#define DISPLAY_TRANSFORM {}\n", shaderOf(request.tone).function);
+  if (request.pass == Pass::accumulate)
+    chosen = fmt::format("#define ACCUMULATED {}\n", shaderOf(request.accumulated).function);
+  return startFor(request.gles) + chosen +
          takeBranches(pieces(pass, request), answers(pass, request));
 }
 

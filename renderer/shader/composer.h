@@ -17,11 +17,21 @@ enum class Pass {
   light,        // hit record on a surface -> radiance
   accumulate,   // radiance -> sum of a block of samples
   close_block,  // sum of a block -> mean
+  first_hit,    // hit record of the camera's ray -> what it has met
   keep,         // mean -> its luminance, kept
   change,       // mean and what was kept -> by how much it has changed
   display,      // mean -> display values
 };
-inline constexpr std::size_t kPassCount = 9;
+inline constexpr std::size_t kPassCount = 10;
+
+// What of a sample the accumulate pass sums.
+enum class Accumulated {
+  radiance,
+  seen_radiance,  // of what the camera sees over a transparent background
+  coverage,       // what it sees of it; see coverage.glsl
+  square,         // of the luminance of what it sees
+  path_length,    // surfaces that its path has met; not over a transparent background
+};
 
 struct ShaderRequest {
   Pass pass = Pass::display;
@@ -30,9 +40,11 @@ struct ShaderRequest {
   std::string record = "packed";     // see records.h
   bool additive_blending = true;     // radiance is added by blending, not by reading
   Tone tone = Tone::srgb;            // of the display pass
-  bool clamp = false;                // bright samples are dimmed; of the accumulate pass
-  bool live_only = false;            // draws are limited to live paths; see escape_pass.glsl
-  int gles = 2;                      // the OpenGL ES version whose language it is written in
+  Accumulated accumulated = Accumulated::radiance;
+  bool path_length = false;  // the light pass counts surfaces; see path_length.glsl
+  bool clamp = false;        // bright samples are dimmed; of the accumulate pass
+  bool live_only = false;    // draws are limited to live paths; see escape_pass.glsl
+  int gles = 2;              // the OpenGL ES version whose language it is written in
 };
 
 // The name of a pass, for messages.

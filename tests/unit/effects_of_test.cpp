@@ -212,7 +212,10 @@ TEST_CASE("effects are forced upon a scene beside its own, and its camera stays 
   const EffectSet all = EffectSet().set();
   CHECK(withForced(effectsOf(scene), {}) == effectsOf(scene));
   CHECK_FALSE(has(withForced(effectsOf(scene), all), Effect::orthographic));
-  CHECK(withForced(effectsOf(scene), all).count() == kEffectCount - 1);
+  // Nor is it with a background that it does not have.
+  CHECK_FALSE(has(withForced(effectsOf(scene), all), Effect::transparent_background));
+  CHECK_FALSE(has(withForced(effectsOf(scene), all), Effect::shadow_catcher));
+  CHECK(withForced(effectsOf(scene), all).count() == kEffectCount - 3);
   scene.camera.orthographic_height = 1;
   CHECK(has(withForced(effectsOf(scene), all), Effect::orthographic));
   CHECK_FALSE(has(withForced(effectsOf(scene), all), Effect::lens));

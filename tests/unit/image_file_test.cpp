@@ -4,6 +4,10 @@
 #include <cstring>
 #include <limits>
 
+#include "renderer/core/display_transform.h"
+#include "renderer/core/image_codecs.h"
+#include "renderer/core/image_layers.h"
+#include "renderer/core/image_rgba.h"
 #include "tests/unit/expect_error.h"
 #include "tests/unit/temporary_folder.h"
 
@@ -238,4 +242,26 @@ TEST_CASE("HDR rows are read plain, and with runs as before 1991") {
         expected);
   readError(folder.write("c.hdr", header + one + half + "\x01\x01\x01\x03"));
   readError(folder.write("d.hdr", header + "\x01\x01\x01\x03" + half));
+}
+
+TEST_CASE("layers come back from EXR bit by bit, with what is noted of them") {
+  ImageLayers layers{3, 2, {}, {}};
+  layers.channels["R"] = {0, 1, 2, 3, 4, 5};
+  layers.channels["depth.Z"] = {1e-30f, -1, 7, 1e30f, 0.1f, 2};
+  layers.notes["glimt.samples"] = "0:64";
+  const ImageLayers back = decodeLayers(encodeLayers(layers));
+  CHECK(back.width == 3);
+  CHECK(back.channels == layers.channels);
+  CHECK(back.notes.at("glimt.samples") == "0:64");
+}
+
+TEST_CASE("an alpha is kept in EXR beside the radiance, and in PNG without it in the colour") {
+  Image image{2, 1, {Vec3(0.25f), Vec3(0)}};
+  image.alpha = {0.5f, 0};
+  CHECK(decodeLayers(encodeExr(image)).channels.at("A") == image.alpha);
+  const RgbaImage rgba = decodeRgba(encodePng(displayImage(image, 0)));
+  const RgbaImage whole = decodeRgba(encodePng(displayImage(Image{1, 1, {Vec3(0.5f)}}, 0)));
+  CHECK(rgba.bytes[0] == whole.bytes[0]);
+  CHECK(rgba.bytes[3] == 128);
+  CHECK(rgba.bytes[7] == 0);
 }

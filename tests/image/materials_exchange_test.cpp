@@ -1,0 +1,63 @@
+// Other materials for a renderer's triangles.
+#include <catch2/catch.hpp>
+
+#include "tests/image/pictures.h"
+#include "tests/image/scenes.h"
+#include "tests/unit/expect_error.h"
+
+using namespace glimt;
+using namespace glimt::test;
+
+namespace {
+
+Scene boxOf(const Material& material) {
+  Scene scene;
+  addCube(scene, 1, add(scene, lambert("lamp", Vec3(0.4f), Vec3(0.5f))), true);
+  addSphere(scene, 0.4f, 1, add(scene, material));
+  scene.camera.position = Vec3(0, 0, 0.9f);
+  return scene;
+}
+
+Image samplesOf(Renderer& renderer) {
+  while (renderer.samples() < 4) renderer.renderSample();
+  return renderer.radiance();
+}
+
+}  // namespace
+
+TEST_CASE("with exchanged materials the picture is that of a renderer of their own, bit for bit") {
+  Material coated = lambert("ball", Vec3(0.7f, 0.1f, 0.1f));
+  coated.clearcoat = 1;
+  Material glass = lambert("ball", Vec3(1));
+  glass.roughness = 0;
+  glass.specular = 1;
+  glass.transmission = 1;
+  const Scene plain = boxOf(lambert("ball", Vec3(0.2f, 0.7f, 0.2f)));
+  Scene seen = boxOf(coated);
+  seen.transparent_background = true;
+  ContextHandle context = createOffscreenContext(Backend::egl, 2);
+  Renderer renderer(context, plain, settingsFor(24, 3));
+  samplesOf(renderer);
+  for (const Scene& scene : {boxOf(coated), seen, boxOf(glass), plain}) {
+    renderer.setMaterials(scene);
+    const Image exchanged = samplesOf(renderer);
+    const Image own = render(scene, settingsFor(24, 3), 4);
+    CHECK(identical(exchanged, own));
+    CHECK(exchanged.alpha == own.alpha);
+  }
+}
+
+TEST_CASE("materials of triangles that are elsewhere are refused, and nothing changes") {
+  const Scene scene = boxOf(lambert("ball", Vec3(0.5f)));
+  ContextHandle context = createOffscreenContext(Backend::egl, 2);
+  Renderer renderer(context, scene, settingsFor(16, 1));
+  const Image before = samplesOf(renderer);
+  Scene moved = scene;
+  moved.positions.back().x += 0.1f;
+  CHECK_THAT(messageOf(ErrorKind::usage, [&] { renderer.setMaterials(moved); }),
+             Catch::Contains("another renderer"));
+  Scene fewer = scene;
+  fewer.triangles.pop_back();
+  messageOf(ErrorKind::usage, [&] { renderer.setMaterials(fewer); });
+  CHECK(identical(before, samplesOf(renderer)));
+}
