@@ -47,7 +47,7 @@ std::vector<SampleRange> rangesIn(const std::string& text) {
     if (count.ec != std::errc() || range.first < 0 || range.count < 1) failNoShare();
     if (range.first > std::numeric_limits<int>::max() - range.count) failNoShare();
     at = count.ptr;
-    if (at != end && *at++ != ',') failNoShare();
+    if (at != end && (*at++ != ',' || at == end)) failNoShare();
     ranges.push_back(range);
   }
   if (ranges.empty()) failNoShare();

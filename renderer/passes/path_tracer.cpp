@@ -52,12 +52,6 @@ Record recordFor(const gl::Device& device, const std::string& name) {
   return record;
 }
 
-// Over a transparent background the picture is not the sum of all that a sample has.
-Accumulated seenOf(const EffectSet& effects) {
-  return has(effects, Effect::transparent_background) ? Accumulated::seen_radiance
-                                                      : Accumulated::radiance;
-}
-
 }  // namespace
 
 PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
@@ -84,28 +78,29 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
       bounces_(settings.bounces),
       live_only_(settings.live_only && canDrawLiveOnly(device)),
       clamp_(settings.clamp),
-      accumulation_(device, settings.clamp, seenOf(effects_)),
+      accumulation_(device, settings.clamp),
       camera_(scene.camera),
       query_(device.gl()) {
-  keepBeside();
+  makeAccumulations();
   planStages();
   compile(progress);
 }
 
-void PathTracer::keepBeside() {
+// Over a transparent background the picture is not the sum of all that a sample has.
+void PathTracer::makeAccumulations() {
   const bool transparent = has(effects_, Effect::transparent_background);
+  const Accumulated own = transparent ? Accumulated::seen_radiance : Accumulated::radiance;
   kept_.clear();
+  accumulation_ = Accumulation(*device_, clamp_, own);
   const auto keep = [&](Accumulated what) {
     kept_.emplace(what, Accumulation(*device_, std::nullopt, what));
   };
   if (transparent) keep(Accumulated::coverage);
   if (squares_) keep(Accumulated::square);
   if (path_lengths_ && !transparent) keep(Accumulated::path_length);
-}
-
-void PathTracer::resizeAccumulations(int width, int height) {
-  accumulation_.resize(width, height);
-  for (auto& [what, accumulation] : kept_) accumulation.resize(width, height);
+  if (film_.width() == 0) return;
+  accumulation_.resize(film_.width(), film_.height());
+  for (auto& [what, accumulation] : kept_) accumulation.resize(film_.width(), film_.height());
 }
 
 const Accumulation* PathTracer::kept(Accumulated what) const {
@@ -205,12 +200,9 @@ void PathTracer::setMaterials(const Scene& scene, const SceneTree& tree) {
     restart();
     throw;
   }
+  const bool transparent = has(before, Effect::transparent_background);
   scene_ = std::move(textures);
-  if (seenOf(effects_) != seenOf(before)) {
-    accumulation_ = Accumulation(*device_, clamp_, seenOf(effects_));
-    keepBeside();
-    resizeAccumulations(film_.width(), film_.height());
-  }
+  if (has(effects_, Effect::transparent_background) != transparent) makeAccumulations();
   camera_ = scene.camera;
 }
 
@@ -224,7 +216,8 @@ void PathTracer::setCamera(const Camera& camera) {
 void PathTracer::resize(int width, int height) {
   if (width == film_.width() && height == film_.height()) return;
   film_ = Film(*device_, width, height, record_.samplers.size());
-  resizeAccumulations(width, height);
+  accumulation_.resize(width, height);
+  for (auto& [what, accumulation] : kept_) accumulation.resize(width, height);
   restart();
 }
 

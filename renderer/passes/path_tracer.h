@@ -133,8 +133,7 @@ class PathTracer {
   using ProgramKey = std::tuple<std::string, Pass, unsigned long>;
   ProgramKey keyOf(Pass pass) const;
   gl::Program& program(Pass pass) { return programs_.at(keyOf(pass)); }
-  void keepBeside();
-  void resizeAccumulations(int width, int height);
+  void makeAccumulations();
   void planStages();
   void planBounce(int bounce);
   bool marksEnded(int bounce) const;

@@ -35,15 +35,18 @@ TEST_CASE("with exchanged materials the picture is that of a renderer of their o
   const Scene plain = boxOf(lambert("ball", Vec3(0.2f, 0.7f, 0.2f)));
   Scene seen = boxOf(coated);
   seen.transparent_background = true;
+  const std::vector<Scene> scenes{boxOf(coated), seen, boxOf(glass), plain};
+  std::vector<Image> own;
+  for (const Scene& scene : scenes) own.push_back(render(scene, settingsFor(24, 3), 4));
   ContextHandle context = createOffscreenContext(Backend::egl, 2);
   Renderer renderer(context, plain, settingsFor(24, 3));
   samplesOf(renderer);
-  for (const Scene& scene : {boxOf(coated), seen, boxOf(glass), plain}) {
-    renderer.setMaterials(scene);
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    CAPTURE(i);
+    renderer.setMaterials(scenes[i]);
     const Image exchanged = samplesOf(renderer);
-    const Image own = render(scene, settingsFor(24, 3), 4);
-    CHECK(identical(exchanged, own));
-    CHECK(exchanged.alpha == own.alpha);
+    CHECK(identical(exchanged, own[i]));
+    CHECK(exchanged.alpha == own[i].alpha);
   }
 }
 

@@ -99,7 +99,8 @@ TEST_CASE("a share comes back from its file as it was, to the last bit") {
 
 TEST_CASE("what is no share, or says of its samples what cannot be, is an error") {
   ImageLayers layers = layersOf(shareOfSamples(0, {1, 2}));
-  layers.notes["glimt.samples"] = GENERATE("", "x", "0:0", "-1:3", "0:2,", "0:2147483647,5", "2");
+  layers.notes["glimt.samples"] =
+      GENERATE(as<std::string>{}, "", "x", "0:0", "-1:3", "0:2,", "0:2147483647,5", "2");
   CHECK_THAT(messageOf(ErrorKind::input, [&] { shareOf(layers); }),
              Catch::Contains("no share of a picture"));
   layers = layersOf(shareOfSamples(0, {1, 2}));
