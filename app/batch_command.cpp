@@ -154,6 +154,7 @@ std::string BatchCommand::inputsOf(const BatchPicture& picture) {
   json["spp"] = jsonOrNull(job_.limits.samples);
   json["time"] = jsonOrNull(job_.limits.seconds);
   json["noise"] = jsonOrNull(job_.limits.noise);
+  json["even"] = job_.even;
   json["exposure"] = exposureOf(job_.picture, scene);
   json["tone"] = toneOf(job_.picture, scene);
   return sha256Of(json.dump());

@@ -153,6 +153,7 @@ BatchJob readBatchJob(const fs::path& path) {
                            "spp",
                            "time",
                            "noise",
+                           "even",
                            "environment",
                            "environment_rotation",
                            "environment_strength",
@@ -183,6 +184,7 @@ BatchJob readBatchJob(const fs::path& path) {
   job.sizes = sizes(fields, "sizes");
   job.picture = readPicture(fields);
   job.limits = readLimits(fields);
+  job.even = fields.boolean("even").value_or(false);
   job.backend = readBackend(fields);
   if (auto& image = job.picture.environment.image;
       image && *image != "studio" && *image != "sun-sky")

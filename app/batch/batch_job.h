@@ -31,6 +31,7 @@ struct BatchJob {
   std::vector<std::array<int, 2>> sizes;    // none: the scene's, else 512x512
   PictureOptions picture;                   // but for its size and the camera's name
   Limits limits;
+  bool even = false;  // every pixel has all samples, also with a limit on the noise
   Backend backend = Backend::automatic;
 };
 

@@ -56,7 +56,7 @@ void BatchRenderer::prepare(const BatchPicture& picture, const WorkProgress& pro
   renderer_->setLimits({settings.bounces, settings.clamp});
   renderer_->resize(settings.width, settings.height);
   renderer_->setCamera(scene.camera);
-  renderer_->restBelow(job_.limits.noise);
+  if (!job_.even) renderer_->restBelow(job_.limits.noise);
 }
 
 void BatchRenderer::forget() {
