@@ -61,7 +61,7 @@ TEST_CASE("squares of little work get more samples than equally noisy ones of mu
     if (i % kWidth < kWidth / 2) lengths[i] = 0;
   const std::vector<double> even(static_cast<std::size_t>(kColumns) * kRows, 1);
   Rest rest(kWidth, kHeight);
-  REQUIRE(rest.decide(even, lengths, 64, 1, 0.4 * sumOf(even)));
+  REQUIRE(rest.decide(even, lengths, 64, 1, 0.7 * sumOf(even)));
   CHECK(rest.samplesAt(0, 0) == 0);
   CHECK(rest.samplesAt(kWidth - 1, 0) == 64);
 }
