@@ -99,8 +99,8 @@
 //   share of the entry that goes to its own light, index of the other one
 #define PUNCTUAL_LIGHT_TEXELS 4.0
 
-// The fourth channel of a sample's radiance where the background is transparent: what the camera's ray
-// has met; see coverage.glsl.
+// The fourth channel of a sample's radiance where the background is transparent: what the camera's
+// ray has met; see coverage.glsl.
 #define SEEN_SURFACE 1.0
 #define SEEN_CATCHER 2.0
 

@@ -168,13 +168,13 @@ void PathTracer::compile(const WorkProgress& progress) {
     const bool accumulates = stage.pass == Pass::accumulate || stage.pass == Pass::close_block;
     if (accumulates || programs_.contains(keyOf(stage.pass))) continue;
     if (progress) progress(1);
-    compileOne(stage.pass);
+    compilePass(stage.pass);
   }
   compile_seconds_ +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void PathTracer::compileOne(Pass pass) {
+void PathTracer::compilePass(Pass pass) {
   const ShaderRequest request = requestFor(pass);
   programs_.emplace(keyOf(pass), gl::Program(device_->gl(), nameOf(pass),
                                              composeVertexShader(requestFor(Pass::camera).gles),
@@ -295,7 +295,7 @@ std::size_t PathTracer::stageAfter() const {
 std::vector<Vec4> PathTracer::firstHits(int sample, int wanted) {
   const Stage camera{Pass::camera, 0};
   const gl::Tile whole{0, 0, film_.width(), film_.height()};
-  if (!programs_.contains(keyOf(Pass::first_hit))) compileOne(Pass::first_hit);
+  if (!programs_.contains(keyOf(Pass::first_hit))) compilePass(Pass::first_hit);
   gl::clearErrors(device_->gl());
   gl::Program& rays = program(Pass::camera);
   bindPath(rays, camera, first_sample_ + static_cast<std::uint32_t>(sample));

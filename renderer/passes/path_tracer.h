@@ -71,8 +71,8 @@ class PathTracer {
   // Forgets all samples, and lets nothing rest.
   void restart();
 
-  // Whether parts of the picture can rest. The noise by which that is decided is not that of shadows
-  // on a catcher.
+  // Whether parts of the picture can rest. The noise by which that is decided is not that of
+  // shadows on a catcher.
   bool canRest() const { return live_only_ && !has(effects_, Effect::shadow_catcher); }
 
   // These pixels get no more samples, from the sample on that begins.
@@ -139,7 +139,7 @@ class PathTracer {
   bool marksEnded(int bounce) const;
   ShaderRequest requestFor(Pass pass) const;
   void compile(const WorkProgress& progress);
-  void compileOne(Pass pass);
+  void compilePass(Pass pass);
   gl::Tile nextTile(double pixels) const;
   void beginStage(const Stage& stage);
   void beginSample();
