@@ -110,7 +110,7 @@ echo '{"scene": "room.obj", "turntable": {"angles": 9}, "sizes": [[32, 32]], "sp
 # The batch, one task of three killed after its first picture.
 "$GLIMT" batch "$folder/job.json" -o "$folder/alone" --quiet
 cd "$folder"
-array=$(sbatch --parsable --array=1-3 "$source/contrib/slurm/glimt-batch.sh" job.json -o array)
+array=$(sbatch --parsable --array=1-3 "$source/app/slurm/glimt-batch.sh" job.json -o array)
 first_picture() { [ -s "$folder/array/manifest-part-2-of-3.json" ]; }
 until_true 120 first_picture || fail "task 2 makes no picture"
 before=$(sha256sum "$folder/array/"*.pfm | wc -l)
@@ -127,7 +127,7 @@ echo "batch: killed when $before of 9 pictures were there; all are those of one 
 # One picture in four shares, one of them killed.
 "$GLIMT" render room.obj --size 32x32 --spp 512 --quiet -o whole.pfm
 mkdir shares
-array=$(sbatch --parsable --array=0-3 "$source/contrib/slurm/glimt-picture.sh" 128 shares room.obj \
+array=$(sbatch --parsable --array=0-3 "$source/app/slurm/glimt-picture.sh" 128 shares room.obj \
   --size 32x32 --quiet)
 running() { squeue --noheader --states=RUNNING --format=%K --job "$array" | grep -q '^1$'; }
 until_true 60 running || fail "task 1 does not start"
