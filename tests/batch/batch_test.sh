@@ -3,28 +3,9 @@
 set -eu
 
 glimt=$1
-folder=$(mktemp -d "${TMPDIR:-/tmp}/glimt-batch-XXXXXX")
-trap 'rm -rf "$folder"' EXIT
+. "$(dirname -- "$0")/../command_test.sh"
 job=$folder/job.json
 out=$folder/out
-
-fail() {
-  echo "FAILED: $*"
-  [ ! -s "$folder/errors" ] || sed 's/^/  /' "$folder/errors"
-  exit 1
-}
-
-# ends STATUS WORDS COMMAND ARGUMENT...: that exit status, and a last line on standard error that
-# holds the words.
-ends() {
-  wanted=$1
-  words=$2
-  shift 2
-  status=0
-  "$glimt" "$@" >"$folder/stdout" 2>"$folder/errors" || status=$?
-  [ $status -eq "$wanted" ] || fail "$*: exit status $status, not $wanted"
-  tail -n 1 "$folder/errors" | grep -qF -- "$words" || fail "$*: no '$words'"
-}
 
 # A triangle with two variants of its material.
 python3 - "$folder" <<'PY'

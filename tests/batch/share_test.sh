@@ -3,46 +3,10 @@
 set -eu
 
 glimt=$1
-folder=$(mktemp -d "${TMPDIR:-/tmp}/glimt-share-XXXXXX")
-trap 'rm -rf "$folder"' EXIT
+. "$(dirname -- "$0")/../command_test.sh"
 
-fail() {
-  echo "FAILED: $*"
-  [ ! -s "$folder/errors" ] || sed 's/^/  /' "$folder/errors"
-  exit 1
-}
-
-# ends STATUS WORDS ARGUMENT...: that exit status, and a last line on standard error with the words.
-ends() {
-  wanted=$1
-  words=$2
-  shift 2
-  status=0
-  "$glimt" "$@" >"$folder/stdout" 2>"$folder/errors" || status=$?
-  [ $status -eq "$wanted" ] || fail "$*: exit status $status, not $wanted"
-  tail -n 1 "$folder/errors" | grep -qF -- "$words" || fail "$*: no '$words'"
-}
-
-# A box with a lamp, and a mirror in it.
-cat >"$folder/room.obj" <<'OBJ'
-mtllib room.mtl
-v -1 -1 -1
-v 1 -1 -1
-v 1 1 -1
-v -1 1 -1
-v -1 -1 1
-v 1 -1 1
-v 1 1 1
-v -1 1 1
-usemtl white
-f 1 2 3 4
-f 1 2 6 5
-f 1 5 8 4
-usemtl mirror
-f 2 6 7 3
-usemtl lamp
-f 4 3 7 8
-OBJ
+# One wall is a mirror.
+write_room mirror
 cat >"$folder/room.mtl" <<'MTL'
 newmtl white
 Kd 0.7 0.6 0.5

@@ -18,7 +18,7 @@ done
   exit 77
 }
 
-folder=$(mktemp -d "${TMPDIR:-/tmp}/glimt-slurm-XXXXXX")
+. "$(dirname -- "$0")/../command_test.sh"
 mkdir "$folder/state" "$folder/spool"
 SLURM_CONF=$folder/slurm.conf
 export SLURM_CONF
@@ -85,25 +85,7 @@ idle() { [ "$(sinfo --noheader --format=%t 2>/dev/null)" = idle ]; }
 until_true 30 idle || fail "the node does not become idle"
 ended() { [ -z "$(squeue --noheader --job "$1" 2>/dev/null)" ]; }
 
-cat >"$folder/room.obj" <<'OBJ'
-mtllib room.mtl
-v -1 -1 -1
-v 1 -1 -1
-v 1 1 -1
-v -1 1 -1
-v -1 -1 1
-v 1 -1 1
-v 1 1 1
-v -1 1 1
-usemtl white
-f 1 2 3 4
-f 1 2 6 5
-f 1 5 8 4
-f 2 6 7 3
-usemtl lamp
-f 4 3 7 8
-OBJ
-printf 'newmtl white\nKd 0.7 0.7 0.7\nnewmtl lamp\nKd 0 0 0\nKe 2 2 2\n' >"$folder/room.mtl"
+write_room
 echo '{"scene": "room.obj", "turntable": {"angles": 9}, "sizes": [[32, 32]], "spp": 300,
        "formats": ["pfm"]}' >"$folder/job.json"
 

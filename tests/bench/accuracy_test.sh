@@ -4,13 +4,7 @@
 set -eu
 
 glimt=$1
-folder=$(mktemp -d "${TMPDIR:-/tmp}/glimt-accuracy-XXXXXX")
-trap 'rm -rf "$folder"' EXIT
-
-fail() {
-  echo "FAILED: $*"
-  exit 1
-}
+. "$(dirname -- "$0")/../command_test.sh"
 
 # ends STATUS WORDS COMMAND ARGUMENT...: that exit status, and one line on standard error that holds
 # the words.

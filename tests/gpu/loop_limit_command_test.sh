@@ -4,14 +4,7 @@
 set -eu
 
 glimt=$1
-folder=$(mktemp -d "${TMPDIR:-/tmp}/glimt-loops-XXXXXX")
-trap 'rm -rf "$folder"' EXIT
-
-fail() {
-  echo "FAILED: $*"
-  sed 's/^/  /' "$folder/errors"
-  exit 1
-}
+. "$(dirname -- "$0")/../command_test.sh"
 
 # render TRAVERSAL: its exit status is in $status.
 render() {

@@ -7,8 +7,7 @@ glimt=$1
 runs=${2:-40}
 most_seconds=${3:-40}
 seed=${4:-7}
-folder=$(mktemp -d "${TMPDIR:-/tmp}/glimt-signals-XXXXXX")
-trap 'rm -rf "$folder"' EXIT
+. "$(dirname -- "$0")/../command_test.sh"
 outputs="$folder/out/a.png $folder/out/b.exr $folder/out/c.pfm $folder/out/d.hdr"
 report=$folder/out/report.json
 mkdir "$folder/out" "$folder/old"
@@ -21,26 +20,7 @@ fail() {
 
 milliseconds() { echo $(($(date +%s%N) / 1000000)); }
 
-# A room with a lamp.
-cat >"$folder/room.obj" <<'OBJ'
-mtllib room.mtl
-v -1 -1 -1
-v 1 -1 -1
-v 1 1 -1
-v -1 1 -1
-v -1 -1 1
-v 1 -1 1
-v 1 1 1
-v -1 1 1
-usemtl white
-f 1 2 3 4
-f 1 2 6 5
-f 1 5 8 4
-f 2 6 7 3
-usemtl lamp
-f 4 3 7 8
-OBJ
-printf 'newmtl white\nKd 0.7 0.7 0.7\nnewmtl lamp\nKd 0 0 0\nKe 2 2 2\n' >"$folder/room.mtl"
+write_room
 
 # render SIZE: becomes the program. Shells start what runs in the background with SIGINT ignored.
 render() {

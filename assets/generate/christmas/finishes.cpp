@@ -6,21 +6,6 @@
 namespace glimt::assets::christmas {
 namespace {
 
-Material metal(const dvec3& color, double roughness) {
-  Material m;
-  m.base_color = color;
-  m.metallic = 1;
-  m.roughness = roughness;
-  return m;
-}
-
-Material plain(const dvec3& color, double roughness) {
-  Material m;
-  m.base_color = color;
-  m.roughness = roughness;
-  return m;
-}
-
 Material glass(const dvec3& tint) {
   Material m = plain(tint, 0);
   m.transmission = 1;

@@ -34,6 +34,10 @@ struct Material {
   std::string normal_picture;
 };
 
+// Bare metal, and what is not one.
+Material metal(const dvec3& color, double roughness);
+Material plain(const dvec3& color, double roughness);
+
 struct Part {
   std::string name;
   std::string material;

@@ -3,21 +3,6 @@
 namespace glimt::assets::motorcycle {
 namespace {
 
-Material metal(const dvec3& color, double roughness) {
-  Material m;
-  m.base_color = color;
-  m.metallic = 1;
-  m.roughness = roughness;
-  return m;
-}
-
-Material plain(const dvec3& color, double roughness) {
-  Material m;
-  m.base_color = color;
-  m.roughness = roughness;
-  return m;
-}
-
 // Colour with flakes below a clear coat.
 Material lacquer(const dvec3& color, double flakes) {
   Material m = plain(color, 0.45);

@@ -4,21 +4,6 @@
 namespace glimt::assets::watch {
 namespace {
 
-Material metal(const dvec3& color, double roughness) {
-  Material m;
-  m.base_color = color;
-  m.metallic = 1;
-  m.roughness = roughness;
-  return m;
-}
-
-Material plain(const dvec3& color, double roughness) {
-  Material m;
-  m.base_color = color;
-  m.roughness = roughness;
-  return m;
-}
-
 // Lacquer over metal, brushed so that it shines out of its depth.
 Material dialColor(const dvec3& color, double metallic) {
   Material m = plain(color, 0.38);
