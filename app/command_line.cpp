@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "app/commands.h"
+#include "app/options.h"
 #include "renderer/core/error.h"
 #include "renderer/core/wording.h"
 

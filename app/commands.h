@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/options.h"
+#include "app/picture_settings.h"
 #include "app/share/share.h"
 #include "renderer/renderer.h"
 #include "renderer/scene/load_scene.h"

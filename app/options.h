@@ -1,46 +1,11 @@
-// Options of several subcommands: what they are on the command line, and how they are joined with
-// what the scene's file asks for.
+// What each subcommand has on the command line.
 #pragma once
-
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <string>
-
-#include "renderer/renderer.h"
-#include "renderer/scene/load_scene.h"
-#include "renderer/scene/scene.h"
 
 namespace CLI {
 class App;
 }
 
 namespace glimt {
-
-// Single parts of the scene's camera, replaced.
-struct CameraOptions {
-  std::string name;
-  std::optional<glm::dvec3> eye;  // in the coordinates of the scene's file, as `target`
-  std::optional<glm::dvec3> target;
-  std::optional<Vec3> up;
-  std::optional<float> vertical_fov;  // degrees
-};
-
-struct PictureOptions {
-  CameraOptions camera;
-  EnvironmentChoice environment;
-  std::optional<std::array<int, 2>> size;
-  std::optional<int> bounces;
-  std::optional<float> exposure;  // EV
-  std::optional<Tone> tone;
-  std::optional<bool> transparent_background;
-  std::uint32_t seed = 0;
-  std::string traversal = "auto";
-  std::string record = "packed";
-  Sampler sampler = Sampler::sobol;
-  std::optional<float> clamp;
-  int gles = 2;
-};
 
 struct RenderOptions;
 struct MergeOptions;
@@ -62,14 +27,5 @@ void addCompareOptions(CLI::App& command, CompareOptions& options);
 void addBenchOptions(CLI::App& command, BenchOptions& options);
 void addAccuracyOptions(CLI::App& command, AccuracyOptions& options);
 void addDoctorOptions(CLI::App& command, DoctorOptions& options);
-
-// The scene's camera with the parts that the options replace. Errors: usage, for a name that the
-// scene does not have, and for a camera without a direction.
-Camera cameraOf(const CameraOptions& options, const Scene& scene);
-
-// The command line, else the scene's file, else what is built in.
-RenderSettings settingsOf(const PictureOptions& options, const Scene& scene);
-float exposureOf(const PictureOptions& options, const Scene& scene);
-Tone toneOf(const PictureOptions& options, const Scene& scene);
 
 }  // namespace glimt

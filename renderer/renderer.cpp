@@ -8,7 +8,6 @@
 #include <type_traits>
 
 #include "renderer/core/error.h"
-#include "renderer/core/luminance.h"
 #include "renderer/core/wording.h"
 #include "renderer/gl/context.h"
 #include "renderer/gl/errors.h"
@@ -18,6 +17,7 @@
 #include "renderer/passes/scene_tree.h"
 #include "renderer/passes/traversal_trial.h"
 #include "renderer/probes/loop_turns.h"
+#include "renderer/read_back.h"
 #include "shaders/layout.h"
 
 namespace glimt {
@@ -63,24 +63,6 @@ PathTracerSettings tracerSettings(const RenderSettings& settings) {
   out.squares = settings.keep_spread;
   out.path_lengths = settings.keep_path_lengths;
   return out;
-}
-
-// Rows from the top, of those that GL has from the bottom.
-template <typename Value, typename ValueOf>
-std::vector<Value> fromTop(const std::vector<Vec4>& texels, const Film& film,
-                           const ValueOf& valueOf) {
-  std::vector<Value> values;
-  values.reserve(texels.size());
-  for (int y = film.height() - 1; y >= 0; --y)
-    for (int x = 0; x < film.width(); ++x)
-      values.push_back(valueOf(texels[static_cast<std::size_t>(y) * film.width() + x]));
-  return values;
-}
-
-// What covers a pixel: surfaces and, where there are none, the shadow on a catcher.
-float alphaOf(const Vec4& seen) {
-  const float shadow = seen.z > 0 ? 1 - seen.y / seen.z : 0;
-  return std::clamp(seen.x + (1 - seen.x) * shadow, 0.0f, 1.0f);
 }
 
 std::array<double, kPassCount> filled(double value) {
@@ -150,37 +132,11 @@ class Renderer::State {
     throw Error(ErrorKind::failed, "the picture cannot be read back from a context that is lost");
   }
 
-  // How many samples a pixel has to have by now, y from the bottom.
-  int samplesAt(int x, int y) const {
-    const int at_rest = noise.rest().samplesAt(x, y);
-    return at_rest > 0 ? at_rest : tracer.samples();
-  }
-
   std::optional<NoiseEstimate> noiseWhenDue() {
     return watched([&] { return noise.measureWhenDue(tracer.accumulation(), tracer.samples()); });
   }
   std::optional<NoiseEstimate> noiseNow() {
     return watched([&] { return noise.measure(tracer.accumulation(), tracer.samples()); });
-  }
-
-  // What is kept of the pixels beside the mean, whose texels these are.
-  void addKept(Picture& picture, const std::vector<Vec4>& means) const {
-    const Film& film = tracer.film();
-    picture.pixel_samples = fromTop<float>(means, film, [](const Vec4& mean) { return mean.a; });
-    if (const Accumulation* const coverage = tracer.kept(Accumulated::coverage))
-      picture.radiance.alpha = fromTop<float>(coverage->readMean(), film, alphaOf);
-    if (const Accumulation* const lengths = tracer.kept(Accumulated::path_length))
-      picture.path_lengths =
-          fromTop<float>(lengths->readMean(), film, [](const Vec4& mean) { return mean.x; });
-    const Accumulation* const squares = tracer.kept(Accumulated::square);
-    if (squares == nullptr) return;
-    picture.spread =
-        fromTop<float>(squares->readMean(), film, [](const Vec4& mean) { return mean.x; });
-    for (std::size_t i = 0; i < picture.spread.size(); ++i) {
-      const double light = luminance(picture.radiance.pixels[i]);
-      const double variance = picture.spread[i] - light * light;
-      picture.spread[i] = static_cast<float>(std::sqrt(std::max(variance, 0.0)));
-    }
   }
 
   gl::Device device;
@@ -206,7 +162,7 @@ class Renderer::State {
     tracer.use(trial.traversal());
     sample_seconds_ = 0;
     watched([&] {
-      if (noise.endSample(tracer.accumulation(), tracer.samples(), tracer.lengths()))
+      if (noise.endSample(tracer.accumulation(), tracer.samples(), tracer.census().lengths()))
         tracer.rest(noise.rest().tiles());
     });
   }
@@ -293,20 +249,7 @@ int Renderer::samples() const {
 
 Picture Renderer::picture() {
   state_->demandReadable();
-  const Film& film = state_->tracer.film();
-  const std::vector<Vec4> texels = state_->tracer.accumulation().readMean();
-  Picture picture{{film.width(), film.height(), {}}, samples(), 0, 0};
-  picture.mean_samples = state_->noise.rest().meanSamples(picture.samples);
-  Image& image = picture.radiance;
-  image.pixels.reserve(texels.size());
-  for (int y = image.height - 1; y >= 0; --y)  // GL's rows begin at the bottom
-    for (int x = 0; x < image.width; ++x) {
-      const Vec4& texel = texels[static_cast<std::size_t>(y) * image.width + x];
-      image.pixels.emplace_back(texel);
-      picture.nonfinite_pixels += texel.a < static_cast<float>(state_->samplesAt(x, y));
-    }
-  state_->addKept(picture, texels);
-  return picture;
+  return readPicture(state_->tracer, state_->noise.rest());
 }
 
 std::optional<NoiseEstimate> Renderer::noise() {
@@ -322,41 +265,8 @@ Image Renderer::radiance() {
 }
 
 FirstHits Renderer::firstHits(int rays) {
-  PathTracer& tracer = state_->tracer;
-  while (!tracer.atSampleStart()) state_->drawTile();
-  const Film& film = tracer.film();
-  const Camera& camera = tracer.camera();
-  const Vec3 forward = CameraFrame(camera).forward;
-  const auto count = static_cast<std::size_t>(film.width()) * film.height();
-  FirstHits hits{std::vector<Vec3>(count),
-                 std::vector<Vec3>(count),
-                 std::vector<float>(count),
-                 {},
-                 std::vector<float>(count)};
-  const auto texelsOf = [&](int ray, int wanted) {
-    return fromTop<Vec4>(tracer.firstHits(ray, wanted), film, [](const Vec4& v) { return v; });
-  };
-  for (int ray = 0; ray < rays; ++ray) {
-    const std::vector<Vec4> albedo = texelsOf(ray, 0);
-    const std::vector<Vec4> normal = texelsOf(ray, 1);
-    const std::vector<Vec4> place = texelsOf(ray, 2);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (ray == 0) hits.material.push_back(place[i].a);
-      if (!(albedo[i].a > 0)) continue;
-      hits.coverage[i] += 1;
-      hits.albedo[i] += Vec3(albedo[i]);
-      hits.normal[i] += Vec3(normal[i]);
-      hits.depth[i] += glm::dot(Vec3(place[i]) - camera.position, forward);
-    }
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    const float met = std::max(hits.coverage[i], 1.0f);
-    hits.albedo[i] /= met;
-    hits.normal[i] /= met;
-    hits.depth[i] /= met;
-    hits.coverage[i] /= static_cast<float>(rays);
-  }
-  return hits;
+  while (!state_->tracer.atSampleStart()) state_->drawTile();
+  return readFirstHits(state_->tracer, rays);
 }
 
 int Renderer::nonfinitePixels() {
@@ -364,20 +274,7 @@ int Renderer::nonfinitePixels() {
 }
 
 Losses Renderer::lastLosses() {
-  Losses losses;
-  const int width = state_->tracer.film().width();
-  const std::vector<Vec4> texels = state_->tracer.film().radiance.front().readFloats();
-  for (std::size_t i = 0; i < texels.size(); ++i) {
-    const auto at = static_cast<int>(i);
-    if (state_->noise.rest().samplesAt(at % width, at / width) > 0) continue;
-    // As light.glsl marks them, and as sample_mean.glsl asks.
-    const Vec4& texel = texels[i];
-    const bool marked = std::min({texel.r, texel.g, texel.b}) < 0;
-    const bool good = texel.r + texel.g + texel.b <= 1e30f;
-    losses.cut_short += marked;
-    losses.not_finite += !marked && !good;
-  }
-  return losses;
+  return readLosses(state_->tracer, state_->noise.rest());
 }
 
 std::optional<std::uint32_t> Renderer::loopLimit() {
@@ -390,14 +287,7 @@ DisplayImage Renderer::display(float exposure, Tone tone) {
   const gl::Target target(gl::Texture::bytes(state_->device.gl(), film.width(), film.height()));
   target.bind();
   state_->drawDisplay(film.width(), film.height(), exposure, tone);
-  const std::vector<unsigned char> bytes = target.readBytes();
-  DisplayImage image{film.width(), film.height(), {}};
-  image.bytes.reserve(bytes.size() / 4 * 3);
-  for (int y = image.height - 1; y >= 0; --y)
-    for (int x = 0; x < image.width; ++x)
-      for (int channel = 0; channel < 3; ++channel)
-        image.bytes.push_back(bytes[(static_cast<std::size_t>(y) * image.width + x) * 4 + channel]);
-  return image;
+  return readDisplay(target);
 }
 
 void Renderer::present(int framebuffer_width, int framebuffer_height, float exposure, Tone tone) {
@@ -422,9 +312,9 @@ RenderStatistics Renderer::statistics() const {
   statistics.warnings = tracer.scene().warnings();
   statistics.bvh_seconds = tracer.scene().buildSeconds();
   statistics.compile_seconds = tracer.compileSeconds();
-  statistics.camera_rays = tracer.rays().camera;
-  statistics.bounce_rays = tracer.rays().bounce;
-  statistics.shadow_rays = tracer.rays().shadow;
+  statistics.camera_rays = tracer.census().rays().camera;
+  statistics.bounce_rays = tracer.census().rays().bounce;
+  statistics.shadow_rays = tracer.census().rays().shadow;
   statistics.noise_seconds = state_->noise.seconds();
   return statistics;
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/options.h"
+#include "app/picture_settings.h"
 #include "app/sampling.h"
 
 namespace glimt {

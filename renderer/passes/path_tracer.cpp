@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -27,20 +26,6 @@ constexpr double kFewAlive = 0.01;
 
 // No sample that is finite is brighter.
 constexpr float kNeverClamped = 1e30f;
-
-// Whether a packed hit record is of a path that has met a triangle; see shaders/hit_record.glsl,
-// whose first channel holds the triangle in its mantissa.
-bool isPackedHit(const Vec4& record) {
-  constexpr std::uint32_t kMantissa = (1u << 23) - 1;
-  constexpr std::uint32_t kUnknown = kMantissa - 1;
-  return record.x != 0 && (std::bit_cast<std::uint32_t>(record.x) & kMantissa) < kUnknown;
-}
-
-// The same for the first texel of a wide one; see shaders/wide_record_input.glsl.
-bool isWideHit(const Vec4& record) {
-  constexpr float kUnknown = 8388606;
-  return record.x > 0.5f && record.y < kUnknown;
-}
 
 Record recordFor(const gl::Device& device, const std::string& name) {
   const Record& record = recordNamed(name);
@@ -70,42 +55,18 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
       record_(recordFor(device, settings.record)),
       first_sample_(static_cast<std::uint32_t>(settings.first_sample)),
       path_lengths_(settings.path_lengths),
-      squares_(settings.squares),
       scene_(device, scene, tree, traversalNamed(traversal_).layout, settings.forced),
       offsets_(points_.makeOffsets(device)),
       forced_(settings.forced),
       effects_(withForced(effectsOf(scene), forced_)),
       bounces_(settings.bounces),
       live_only_(settings.live_only && canDrawLiveOnly(device)),
-      clamp_(settings.clamp),
-      accumulation_(device, settings.clamp),
+      accumulations_(device, settings.clamp, has(effects_, Effect::transparent_background),
+                     settings.squares, settings.path_lengths),
       camera_(scene.camera),
       query_(device.gl()) {
-  makeAccumulations();
   planStages();
   compile(progress);
-}
-
-// Over a transparent background the picture is not the sum of all that a sample has.
-void PathTracer::makeAccumulations() {
-  const bool transparent = has(effects_, Effect::transparent_background);
-  const Accumulated own = transparent ? Accumulated::seen_radiance : Accumulated::radiance;
-  kept_.clear();
-  accumulation_ = Accumulation(*device_, clamp_, own);
-  const auto keep = [&](Accumulated what) {
-    kept_.emplace(what, Accumulation(*device_, std::nullopt, what));
-  };
-  if (transparent) keep(Accumulated::coverage);
-  if (squares_) keep(Accumulated::square);
-  if (path_lengths_ && !transparent) keep(Accumulated::path_length);
-  if (film_.width() == 0) return;
-  accumulation_.resize(film_.width(), film_.height());
-  for (auto& [what, accumulation] : kept_) accumulation.resize(film_.width(), film_.height());
-}
-
-const Accumulation* PathTracer::kept(Accumulated what) const {
-  const auto found = kept_.find(what);
-  return found == kept_.end() ? nullptr : &found->second;
 }
 
 void PathTracer::planStages() {
@@ -131,7 +92,7 @@ void PathTracer::planBounce(int bounce) {
 bool PathTracer::marksEnded(int bounce) const {
   if (!live_only_) return false;
   if (bounce == 0 || bounce > bounces_) return true;
-  return rays_counted_ && alive_[static_cast<std::size_t>(bounce)] < 0.5;
+  return census_.complete() && census_.alive(bounce) < 0.5;
 }
 
 PathTracer::ProgramKey PathTracer::keyOf(Pass pass) const {
@@ -190,8 +151,7 @@ void PathTracer::use(const std::string& traversal) {
 void PathTracer::setMaterials(const Scene& scene, const SceneTree& tree) {
   SceneTextures textures(*device_, scene, tree, traversalNamed(traversal_).layout, forced_);
   const EffectSet before = std::exchange(effects_, withForced(effectsOf(scene), forced_));
-  rays_counted_ = false;
-  alive_.clear();
+  census_.forget();
   try {
     restart();
     compile({});
@@ -200,9 +160,8 @@ void PathTracer::setMaterials(const Scene& scene, const SceneTree& tree) {
     restart();
     throw;
   }
-  const bool transparent = has(before, Effect::transparent_background);
   scene_ = std::move(textures);
-  if (has(effects_, Effect::transparent_background) != transparent) makeAccumulations();
+  accumulations_.setTransparent(has(effects_, Effect::transparent_background));
   camera_ = scene.camera;
 }
 
@@ -216,17 +175,14 @@ void PathTracer::setCamera(const Camera& camera) {
 void PathTracer::resize(int width, int height) {
   if (width == film_.width() && height == film_.height()) return;
   film_ = Film(*device_, width, height, record_.samplers.size());
-  accumulation_.resize(width, height);
-  for (auto& [what, accumulation] : kept_) accumulation.resize(width, height);
+  accumulations_.resize(width, height);
   restart();
 }
 
 void PathTracer::setLimits(const LightLimits& limits) {
   bounces_ = limits.bounces;
-  if (clamp_) clamp_ = limits.clamp.value_or(kNeverClamped);
-  accumulation_.setClamp(limits.clamp.value_or(kNeverClamped));
-  rays_counted_ = false;
-  alive_.clear();
+  accumulations_.setClamp(limits.clamp.value_or(kNeverClamped));
+  census_.forget();
   restart();
   compile({});  // the first bounce, where there was none
 }
@@ -239,8 +195,7 @@ void PathTracer::setSampler(Sampler sampler, std::uint32_t seed) {
 
 void PathTracer::restart() {
   resting_.clear();
-  accumulation_.clear();
-  for (auto& [what, accumulation] : kept_) accumulation.clear();
+  accumulations_.clear();
   samples_ = 0;
   planStages();
   stage_ = 0;
@@ -321,15 +276,15 @@ void PathTracer::takeBackSample() {
 
 // Ended paths are marked behind a bounce that few survive, see marksEnded().
 bool PathTracer::asksWhetherAlive(const Stage& stage) const {
-  return stage.pass == Pass::trace && live_only_ && query_ && rays_counted_ &&
-         alive_[static_cast<std::size_t>(stage.bounce) - 1] < kFewAlive;
+  return stage.pass == Pass::trace && live_only_ && query_ && census_.complete() &&
+         census_.alive(stage.bounce - 1) < kFewAlive;
 }
 
 void PathTracer::beginStage(const Stage& stage) {
   alive_now_ = !asksWhetherAlive(stage);
   if (stage.pass == Pass::camera) beginSample();
   // Pixels that are left out keep the record of an earlier bounce, which only counting would read.
-  if (stage.pass == Pass::trace && live_only_ && !rays_counted_) film_.record.back().clear();
+  if (stage.pass == Pass::trace && live_only_ && !census_.complete()) film_.record.back().clear();
 }
 
 // Pixels at rest are as those whose path has ended, and their radiance is one that does not count.
@@ -347,14 +302,11 @@ void PathTracer::beginSample() {
 
 void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
   if (stage.pass == Pass::accumulate) {
-    accumulation_.add(film_.radiance.front().texture(), tile);
-    for (auto& [what, accumulation] : kept_)
-      accumulation.add(film_.radiance.front().texture(), tile);
+    accumulations_.add(film_.radiance.front().texture(), tile);
     return;
   }
   if (stage.pass == Pass::close_block) {
-    accumulation_.closeBlock(tile);
-    for (auto& [what, accumulation] : kept_) accumulation.closeBlock(tile);
+    accumulations_.closeBlock(tile);
     return;
   }
   gl::Program& program = this->program(stage.pass);
@@ -411,46 +363,20 @@ void PathTracer::drawRays(const gl::Tile& tile, const gl::DrawState& state) {
 
 void PathTracer::endStage(const Stage& stage) {
   if (stage.pass == Pass::accumulate) {
-    accumulation_.endSample();
-    for (auto& [what, accumulation] : kept_) accumulation.endSample();
+    accumulations_.endSample();
   } else if (stage.pass == Pass::close_block) {
     // Before the block is forgotten it has to be part of the mean.
     device_->gl().Finish();
     gl::checkErrors(device_->gl(), "closing a block of samples");
-    accumulation_.endBlock();
-    for (auto& [what, accumulation] : kept_) accumulation.endBlock();
+    accumulations_.endBlock();
   } else if (stage.pass == Pass::escape || stage.pass == Pass::light) {
     if (!device_->floatBlending()) film_.radiance.swap();
-    if (stage.pass == Pass::light && !rays_counted_ && alive_.back() == 0) {
-      alive_.resize(static_cast<std::size_t>(bounces_) + 1);
-      rays_counted_ = true;
-      alive_now_ = false;
-    }
+    if (stage.pass == Pass::light && census_.endsEarly(bounces_)) alive_now_ = false;
   } else {
     film_.record.swap();
-    if (!rays_counted_) countRays(stage);
+    if (!census_.complete())
+      census_.count(film_.record.front().readFloats(), record_.name, stage.bounce, bounces_);
   }
-}
-
-void PathTracer::countRays(const Stage& stage) {
-  const std::vector<Vec4> records = film_.record.front().readFloats();
-  const auto isHit = record_.name == "wide" ? isWideHit : isPackedHit;
-  const bool last = stage.bounce == bounces_;
-  if (stage.pass == Pass::camera) {
-    alive_.clear();
-    lengths_.assign(records.size(), 0);
-    rays_ = {static_cast<double>(records.size()), 0, 0};
-  }
-  double hits = 0;
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    if (!isHit(records[i])) continue;
-    ++hits;
-    ++lengths_[i];
-  }
-  alive_.push_back(hits / static_cast<double>(records.size()));
-  if (!last) rays_.bounce += hits;
-  rays_.shadow += hits;
-  rays_counted_ = last;
 }
 
 void PathTracer::bindSamplePoint(gl::Program& program, const Stage& stage,

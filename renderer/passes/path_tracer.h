@@ -11,8 +11,9 @@
 #include "renderer/gl/device.h"
 #include "renderer/gl/program.h"
 #include "renderer/gl/query.h"
-#include "renderer/passes/accumulation.h"
+#include "renderer/passes/accumulations.h"
 #include "renderer/passes/film.h"
+#include "renderer/passes/ray_census.h"
 #include "renderer/passes/sample_points.h"
 #include "renderer/passes/scene_textures.h"
 #include "renderer/shader/composer.h"
@@ -36,13 +37,6 @@ struct PathTracerSettings {
   bool path_lengths = false;  // Accumulated::path_length is kept, where the background is not
                               // transparent
   bool squares = false;       // Accumulated::square is kept
-};
-
-// Rays of the first sample.
-struct RayCounts {
-  double camera = 0;
-  double bounce = 0;
-  double shadow = 0;  // at most: one for each hit that asked for light
 };
 
 class PathTracer {
@@ -108,16 +102,11 @@ class PathTracer {
   int samples() const { return samples_; }
   const Film& film() const { return film_; }
   const Camera& camera() const { return camera_; }
-  const Accumulation& accumulation() const { return accumulation_; }
-  // What is kept beside the radiance: coverage where the background is transparent, and what the
-  // settings ask for. Null for what is not.
-  const Accumulation* kept(Accumulated what) const;
+  const Accumulation& accumulation() const { return accumulations_.picture(); }
+  const Accumulation* kept(Accumulated what) const { return accumulations_.beside(what); }
   const SceneTextures& scene() const { return scene_; }
   const std::string& traversal() const { return traversal_; }  // the one in use
-  const RayCounts& rays() const { return rays_; }
-
-  // How many triangles each pixel's path met in the first sample, rows from the bottom.
-  const std::vector<float>& lengths() const { return lengths_; }
+  const RayCensus& census() const { return census_; }
   double compileSeconds() const { return compile_seconds_; }
 
  private:
@@ -133,7 +122,6 @@ class PathTracer {
   using ProgramKey = std::tuple<std::string, Pass, unsigned long>;
   ProgramKey keyOf(Pass pass) const;
   gl::Program& program(Pass pass) { return programs_.at(keyOf(pass)); }
-  void makeAccumulations();
   void planStages();
   void planBounce(int bounce);
   bool marksEnded(int bounce) const;
@@ -145,7 +133,6 @@ class PathTracer {
   void beginSample();
   void drawStage(const Stage& stage, const gl::Tile& tile);
   void endStage(const Stage& stage);
-  void countRays(const Stage& stage);
   bool asksWhetherAlive(const Stage& stage) const;
   static bool isOfCamera(const Stage& stage);
   void drawRays(const gl::Tile& tile, const gl::DrawState& state);
@@ -160,7 +147,6 @@ class PathTracer {
   Record record_;
   std::uint32_t first_sample_;
   bool path_lengths_;
-  bool squares_;
   SceneTextures scene_;
   gl::Texture offsets_;
   EffectSet forced_;
@@ -171,17 +157,11 @@ class PathTracer {
   std::map<ProgramKey, gl::Program> programs_;
   std::vector<Stage> stages_;
   Film film_;
-  std::optional<float> clamp_;
-  Accumulation accumulation_;
-  std::map<Accumulated, Accumulation> kept_;  // beside it
+  Accumulations accumulations_;
   Camera camera_;
-  std::vector<double>
-      alive_;  // share of the paths that met a triangle, for each bounce; of the first sample
+  RayCensus census_;
   gl::Query query_;
-  RayCounts rays_;
-  std::vector<float> lengths_;
   double compile_seconds_ = 0;
-  bool rays_counted_ = false;
 
   // Where the work stands.
   int samples_ = 0;
