@@ -8,7 +8,10 @@ namespace glimt::assets {
 
 const std::map<std::string, std::function<Demo()>>& demos() {
   static const std::map<std::string, std::function<Demo()>> all = {
-      {"christmas", makeChristmas}, {"motorcycle", makeMotorcycle}, {"watch", makeWatch}};
+      {"christmas", makeChristmas},
+      {"motorcycle", makeMotorcycle},
+      {"shop-motorcycle", makeShopMotorcycle},
+      {"watch", makeWatch}};
   return all;
 }
 

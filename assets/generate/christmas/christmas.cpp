@@ -27,7 +27,7 @@ Demo makeChristmas() {
          {{"position", {0.5, 1.15, 1.9}}, {"target", {0.2, 1.0, 0}}, {"vertical_fov", 24}}}}},
       {"environment", {{"color", {0.10, 0.078, 0.055}}}},
       {"render", {{"size", {1280, 720}}, {"bounces", 6}, {"exposure", 0.6}, {"tone", "agx"}}}};
-  return {"christmas", std::move(model), scene};
+  return {"christmas", std::move(model), scene, {}};
 }
 
 }  // namespace glimt::assets

@@ -4,7 +4,9 @@
 
 namespace glimt::assets {
 
-Demo makeMotorcycle() {
+namespace {
+
+Model onItsWheels() {
   using namespace motorcycle;
   Model model;
   addFinishes(model);
@@ -23,7 +25,14 @@ Demo makeMotorcycle() {
   addHandlebar(model);
   addInstruments(model);
   addLamps(model);
-  addStudio(model);
+  return model;
+}
+
+}  // namespace
+
+Demo makeMotorcycle() {
+  Model model = onItsWheels();
+  motorcycle::addStudio(model);
   const nlohmann::ordered_json scene = {
       {"camera",
        {{"position", {2.75, 1.15, 4.1}}, {"target", {-0.02, 0.61, 0}}, {"vertical_fov", 18}}},
@@ -35,7 +44,24 @@ Demo makeMotorcycle() {
          {{"position", {1.1, 0.9, 2.2}}, {"target", {0.02, 0.50, 0}}, {"vertical_fov", 20}}}}},
       {"environment", {{"color", {0.12, 0.12, 0.125}}}},
       {"render", {{"size", {1280, 720}}, {"bounces", 5}, {"exposure", 0.0}, {"tone", "agx"}}}};
-  return {"motorcycle", std::move(model), scene};
+  return {"motorcycle", std::move(model), scene, {}};
+}
+
+Demo makeShopMotorcycle() {
+  Model model = onItsWheels();
+  motorcycle::addShopFloor(model);
+  const nlohmann::ordered_json scene = {
+      {"camera", {{"position", {0, 1.6, 5.2}}, {"target", {0, 0.55, 0}}, {"vertical_fov", 27}}},
+      {"environment", {{"image", "studio"}}},
+      {"materials", {{"floor", {{"shadow_catcher", true}}}}},
+      {"render",
+       {{"size", {512, 512}}, {"bounces", 5}, {"background", "transparent"}, {"tone", "agx"}}}};
+  const nlohmann::ordered_json batch = {
+      {"output", "shop-motorcycle"},
+      {"variants", {"racing green", "signal red", "midnight blue", "cream and orange"}},
+      {"turntable", {{"angles", 12}}},
+      {"noise", 5}};
+  return {"shop-motorcycle", std::move(model), scene, batch};
 }
 
 }  // namespace glimt::assets

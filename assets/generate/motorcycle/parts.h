@@ -40,5 +40,6 @@ void addLamps(Model& model);
 void addFinishes(Model& model);
 
 void addStudio(Model& model);
+void addShopFloor(Model& model);
 
 }  // namespace glimt::assets::motorcycle

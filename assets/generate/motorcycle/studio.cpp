@@ -1,3 +1,4 @@
+#include "assets/generate/geometry/grid.h"
 #include "assets/generate/model/studio_set.h"
 #include "assets/generate/motorcycle/parts.h"
 
@@ -14,6 +15,14 @@ void addStudio(Model& model) {
              softBox({-4.6, 1.7, 3.0}, {0, 0.5, 0}, 1.2, 2.6));
   addSoftBox(model, "edge light", {7.0, 7.2, 7.6},
              softBox({-2.6, 3.0, -1.8}, {-0.3, 0.6, 0}, 2.4, 0.7));
+}
+
+void addShopFloor(Model& model) {
+  constexpr double kHalf = 20;
+  model.materials["floor"] = plain({0.6, 0.6, 0.6}, 0.9);
+  model.add("floor", "floor", grid(1, 1, Edges::open, Edges::open, [](int i, int j) {
+              return dvec3(i == 0 ? -kHalf : kHalf, 0, j == 0 ? kHalf : -kHalf);
+            }));
 }
 
 }  // namespace glimt::assets::motorcycle

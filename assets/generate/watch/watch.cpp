@@ -37,7 +37,7 @@ Demo makeWatch() {
        {{"position", {0.03, 0.17, 0.33}}, {"target", {0.0, 0.034, 0}}, {"vertical_fov", 13}}},
       {"environment", {{"color", {0.16, 0.16, 0.165}}}},
       {"render", {{"size", {1280, 720}}, {"bounces", 5}, {"exposure", 0.0}, {"tone", "agx"}}}};
-  return {"watch", std::move(model), scene};
+  return {"watch", std::move(model), scene, {}};
 }
 
 }  // namespace glimt::assets
