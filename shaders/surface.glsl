@@ -33,7 +33,9 @@ Surface surfaceOf(HitRecord record) {
   TriangleData data = fetchTriangle(record.triangle);
   vec3 normal = normalize(cross(data.v1 - data.v0, data.v2 - data.v0));
   float side = 1.0 - 2.0 * record.back;
-  vec3 position = interpolate(data.v0, data.v1, data.v2, record.uv);
+  float error_scale = errorScale(data.v0, data.v1, data.v2);
+  vec2 uv = awayFromEdges(data.v0, data.v1, data.v2, record.uv, error_scale);
+  vec3 position = interpolate(data.v0, data.v1, data.v2, uv);
   vec3 shading = normal;
   float rise = 0.0;
 #if SMOOTH_NORMALS
@@ -43,7 +45,7 @@ Surface surfaceOf(HitRecord record) {
   vec3 rises = vec3(riseToTangent(position, data.v0, side * normals.n0, geometric),
                     riseToTangent(position, data.v1, side * normals.n1, geometric),
                     riseToTangent(position, data.v2, side * normals.n2, geometric));
-  rise = dot(rises, vec3(1.0 - record.uv.x - record.uv.y, record.uv));
+  rise = dot(rises, vec3(1.0 - uv.x - uv.y, uv));
   position += geometric * rise;
 #endif
   shading *= side;
@@ -55,8 +57,7 @@ Surface surfaceOf(HitRecord record) {
   shading = side * mappedNormal(data, vertices, texcoords, side * shading);
   shading = turnedToViewer(shading, record.direction);
 #endif
-  return Surface(position, side * normal, shading, errorScale(data.v0, data.v1, data.v2),
-                 data.material, record.back, rise
+  return Surface(position, side * normal, shading, error_scale, data.material, record.back, rise
 #if TEXTURES
                  , texcoords
 #endif

@@ -114,6 +114,15 @@ const Case kCases[]{
        return Vec4(leaveSurface(vec3(a), vec3(b), 1000 * b.w), 0);
      },
      uniform, 2e-7},
+    {"awayFromEdges",
+     "return vec4(awayFromEdges(a.xyz, a.xyz + vec3(1.0, 0.0, 0.0), b.xyz + vec3(0.0, 2.0, 0.0),"
+     " 0.5 * vec2(a.w, b.w) * vec2(a.w, b.w), 4.0), 0.0, 0.0);",
+     [](const Vec4& a, const Vec4& b) {
+       const vec3 v0(a);
+       const vec2 uv = 0.5f * vec2(a.w, b.w) * vec2(a.w, b.w);
+       return Vec4(awayFromEdges(v0, v0 + vec3(1, 0, 0), vec3(b) + vec3(0, 2, 0), uv, 4), 0, 0);
+     },
+     uniform, 1e-6},
     {"displayTransform", "return vec4(displayTransform(a.xyz, 2.0 * b.x), 0.0);",
      [](const Vec4& a, const Vec4& b) { return Vec4(displayTransform(vec3(a), 2 * b.x), 0); },
      uniform, 1e-5},

@@ -48,6 +48,28 @@ Scene knot() {
   return shiningOutside(scene);
 }
 
+// Two walls that meet at 10 degrees, a third one across, and two ends; 256 m from the origin, where
+// rays leave a wall from 0.2 mm above it.
+Scene wedge() {
+  Scene scene;
+  const std::uint32_t wall = add(scene, lambert("wall", Vec3(1)));
+  const float rise = 2 * std::tan(glm::radians(5.0f));
+  const float far = 256;
+  const Vec3 edge(far, 0, -1);
+  const Vec3 top(far + 2, rise, -1);
+  const Vec3 bottom(far + 2, -rise, -1);
+  const Vec3 along(0, 0, 2);
+  addQuad(scene, edge, top - edge, along, wall);
+  addQuad(scene, edge, along, bottom - edge, wall);
+  addQuad(scene, bottom, along, top - bottom, wall);
+  addTriangle(scene, edge, bottom, top, wall);
+  addTriangle(scene, edge + along, top + along, bottom + along, wall);
+  scene.camera.position = Vec3(far + 1.9f, 0.01f, 0.02f);
+  scene.camera.target = edge + along * 0.5f;
+  scene.camera.vertical_fov = 60;
+  return shiningOutside(scene);
+}
+
 int litPixels(Renderer& renderer) {
   CHECK(renderer.nonfinitePixels() == 0);
   int count = 0;
@@ -83,13 +105,14 @@ void sendManyRays(const std::string& name, const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("no ray leaves a closed box, sphere of 2,048 or knot of 70,000 triangles") {
+TEST_CASE("no ray leaves a closed box, sphere of 2,048, knot of 70,000 triangles or wedge") {
   const int size = slowDriver() ? 16 : 64;
   const int samples = slowDriver() ? 4 : 32;
   const std::string what = "pixels with light of outside";
   checkAtMost("leakage", "box", what, lit(box(), size, samples), 0);
   checkAtMost("leakage", "sphere", what, lit(sphere(), size, samples), 0);
   checkAtMost("leakage", "knot", what, lit(knot(), size, samples), 0);
+  checkAtMost("leakage", "wedge of 10 degrees", what, lit(wedge(), size, samples), 0);
 }
 
 TEST_CASE("a box with a hole is found out") {
@@ -99,9 +122,10 @@ TEST_CASE("a box with a hole is found out") {
 }
 
 // Takes minutes on llvmpipe, and a day on the interpreters.
-TEST_CASE("none of 1e8 rays leaves a closed box, sphere or knot", "[long]") {
+TEST_CASE("none of 1e8 rays leaves a closed box, sphere, knot or wedge", "[long]") {
   if (slowDriver()) return;
   sendManyRays("box", box());
   sendManyRays("sphere", sphere());
   sendManyRays("knot", knot());
+  sendManyRays("wedge of 10 degrees", wedge());
 }

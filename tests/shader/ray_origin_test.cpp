@@ -57,13 +57,14 @@ Counts countSelfHits(float thinnest, const MakeTriangle& makeTriangle) {
     if (!(glm::length(cross_product) > 1e-6f)) continue;
     const float side = random.below(2) ? 1.0f : -1.0f;
     const vec3 normal = side * normalize(cross_product);
-    const vec2 uv = uvOfCell(uvCell(random.weights(), random.square()));
-    const vec3 origin =
-        leaveSurface(interpolate(t.v0, t.v1, t.v2, uv), normal, errorScale(t.v0, t.v1, t.v2));
+    const float error_scale = errorScale(t.v0, t.v1, t.v2);
+    const vec2 hit = uvOfCell(uvCell(random.weights(), random.square()));
+    const vec2 uv = awayFromEdges(t.v0, t.v1, t.v2, hit, error_scale);
+    const vec3 origin = leaveSurface(interpolate(t.v0, t.v1, t.v2, uv), normal, error_scale);
     for (int k = 0; k < 4; ++k) {
       const vec3 direction = leavingDirection(random, normal, random.logUniform(1e-3f, 1.57f));
-      const TriangleHit hit = intersectTriangle(origin, direction, t.v0, t.v1, t.v2, FAR_AWAY);
-      if (!(hit.t < 0)) ++counts.hits;
+      const TriangleHit again = intersectTriangle(origin, direction, t.v0, t.v1, t.v2, FAR_AWAY);
+      if (!(again.t < 0)) ++counts.hits;
       ++counts.rays;
     }
   }
@@ -96,4 +97,34 @@ TEST_CASE(
     worst = std::max(worst, errorScale(t.v0, t.v1, t.v2));
   }
   CHECK(worst < 1.2f);
+}
+
+TEST_CASE("points that rays leave keep away from edges, and are moved by no more than that") {
+  test::Random random(22);
+  float closest = 1e30f;  // to an edge, in proportion to the offset from the face
+  float farthest = 0;     // from where the point was, likewise
+  for (int i = 0; i < 100000; ++i) {
+    const Corners t = randomTriangle(random, random.logUniform(0.01f, 10), 1);
+    const float error_scale = errorScale(t.v0, t.v1, t.v2);
+    const float offset = error_scale * LEAVE_DISTANCE;
+    const vec3 lengths(glm::length(t.v2 - t.v1), glm::length(t.v2 - t.v0),
+                       glm::length(t.v1 - t.v0));
+    const vec3 heights = glm::length(cross(t.v1 - t.v0, t.v2 - t.v0)) / lengths;
+    // Of a point at a corner, of one on an edge, and of one close to it.
+    const float along = random.below(4) ? random.logUniform(1e-6f, 1) : 0.0f;
+    const vec2 uv(along, random.below(2) ? 0.0f : (1 - along) * random.logUniform(1e-7f, 1));
+    const vec2 moved = awayFromEdges(t.v0, t.v1, t.v2, uv, error_scale);
+    const vec3 distances = heights * vec3(1 - moved.x - moved.y, moved.x, moved.y);
+    const float roomy = std::min({heights.x, heights.y, heights.z});
+    if (roomy > 160 * offset)
+      closest = std::min(closest, std::min({distances.x, distances.y, distances.z}) / offset);
+    const float flat = std::max({lengths.x, lengths.y, lengths.z}) / roomy;
+    farthest = std::max(farthest, glm::length(interpolate(t.v0, t.v1, t.v2, moved) -
+                                              interpolate(t.v0, t.v1, t.v2, uv)) /
+                                      (offset * flat));
+  }
+  test::report("ray origin: {:.1f} offsets from an edge, moved by {:.1f} of them at most", closest,
+               farthest);
+  CHECK(closest > 12);
+  CHECK(farthest < 64);
 }
