@@ -36,6 +36,7 @@ struct ViewOptions {
   std::optional<std::filesystem::path> scene;
   LoadSettings load;
   PictureOptions picture;  // its size is the window's
+  std::string json;        // how the window answered, written at the end
 };
 
 struct InfoOptions {

@@ -147,7 +147,10 @@ void addBatchOptions(CLI::App& command, BatchOptions& options) {
 void addViewOptions(CLI::App& command, ViewOptions& options) {
   add(command, "SCENE", "", "A .scene.json, .obj, .gltf or .glb (the one that comes with glimt)",
       [&](const std::string& text) { options.scene = text; });
+  addVariant(command, options.load);
   addPicture(command, options.picture);
+  command.add_option("--json", options.json, "Write how the window answered, at the end")
+      ->type_name("FILE");
 }
 
 void addInfoOptions(CLI::App& command, InfoOptions& options) {

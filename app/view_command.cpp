@@ -1,52 +1,54 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "app/commands.h"
-#include "app/message.h"
-#include "app/progress.h"
+#include "app/json_output.h"
 #include "app/viewer/default_scene.h"
 #include "app/viewer/viewer.h"
 #include "app/viewer/window.h"
 #include "renderer/core/error.h"
-#include "renderer/scene/framing.h"
-#include "renderer/scene/load_scene.h"
+#include "renderer/core/wording.h"
 
 namespace glimt {
 namespace {
 
-Scene load(const ViewOptions& options) {
-  Scene scene = loadScene(options.scene ? *options.scene : defaultScene(),
-                          {options.load.variant, options.picture.environment});
-  scene.camera = withTargetAtModel(cameraOf(options.picture.camera, scene), boundsOf(scene));
-  if (scene.name.empty()) scene.name = "scene";
-  return scene;
+constexpr std::array<int, 2> kWindow{1280, 720};
+
+Json spreadOf(const std::vector<double>& seconds) {
+  const auto milliseconds = [&](double share) {
+    return std::round(1e4 * quantile(seconds, share)) / 10;
+  };
+  return {{"count", seconds.size()},
+          {"median", milliseconds(0.5)},
+          {"p95", milliseconds(0.95)},
+          {"max", milliseconds(1)}};
+}
+
+// How the window answered.
+Json reportOf(const Pace& pace) {
+  return {{"latency_ms", spreadOf(pace.latencies())}, {"frame_ms", spreadOf(pace.intervals())}};
+}
+
+// Before a window is opened for it.
+void demandFile(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::exists(path, ignored)) return;
+  throw Error(ErrorKind::input,
+              fmt::format("{}: no such file; check the path", printable(path.string())));
 }
 
 }  // namespace
 
 int runView(const ViewOptions& options) {
-  if (options.picture.gles != 2) {
-    throw Error(ErrorKind::usage, "the window is drawn with OpenGL ES 2.0; leave out --gles");
-  }
-  Progress progress(true);
-  progress.show("loading");
-  const Scene scene = load(options);
-  progress.clear();
-  for (const std::string& warning : scene.warnings) say(fmt::format("warning: {}", warning));
-
-  progress.show("building the tree");
-  RenderSettings settings = settingsOf(options.picture, scene);
+  const std::filesystem::path scene = options.scene ? *options.scene : defaultScene();
+  demandFile(scene);
+  checkJsonFile(options.json);
   const bool scaled = !options.picture.size.has_value();
-  Window window({settings.width, settings.height}, scaled, scene.name);
-  ContextHandle context = adoptCurrentContext(window.loader());
-  settings.width = window.framebufferSize()[0];
-  settings.height = window.framebufferSize()[1];
-  Renderer renderer(context, scene, settings,
-                    [&](float fraction) { showTree(progress, fraction); });
-  progress.clear();
-
-  const ViewerSettings viewer{scene.name, scene.camera, exposureOf(options.picture, scene),
-                              toneOf(options.picture, scene)};
-  Viewer(window, renderer, viewer).run();
+  Window window(options.picture.size.value_or(kWindow), scaled, "glimt");
+  Viewer viewer(window, options.picture);
+  viewer.run({scene, {options.load.variant, options.picture.environment}});
+  writeJson(options.json, reportOf(viewer.pace()));
   return 0;
 }
 

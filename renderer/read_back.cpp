@@ -122,11 +122,12 @@ FirstHits readFirstHits(PathTracer& tracer, int rays) {
 DisplayImage readDisplay(const gl::Target& target) {
   const std::vector<unsigned char> bytes = target.readBytes();
   DisplayImage image{target.width(), target.height(), {}};
-  image.bytes.reserve(bytes.size() / 4 * 3);
-  for (int y = image.height - 1; y >= 0; --y)
-    for (int x = 0; x < image.width; ++x)
-      for (int channel = 0; channel < 3; ++channel)
-        image.bytes.push_back(bytes[(static_cast<std::size_t>(y) * image.width + x) * 4 + channel]);
+  image.bytes.resize(bytes.size() / 4 * 3);
+  std::uint8_t* to = image.bytes.data();
+  for (int y = image.height - 1; y >= 0; --y) {  // GL's rows begin at the bottom
+    const unsigned char* from = &bytes[static_cast<std::size_t>(y) * image.width * 4];
+    for (int x = 0; x < image.width; ++x, from += 4) to = std::copy_n(from, 3, to);
+  }
   return image;
 }
 

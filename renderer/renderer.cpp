@@ -30,6 +30,9 @@ constexpr double kDrawSeconds = 0.03;
 // Keeps the arithmetic sound where a clock is coarse.
 constexpr double kLeastSecondsPerPixel = 1e-11;
 
+// Of any device. What a smaller one holds is found out when the scene is handed over.
+constexpr int kLargestTexture = 32768;
+
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -75,11 +78,14 @@ std::array<double, kPassCount> filled(double value) {
 
 class Renderer::State {
  public:
-  State(gl::Context& context, const Scene& scene, const RenderSettings& settings,
+  // Without a tree it makes one.
+  State(gl::Context& context, const Scene& scene, const RenderSettings& settings, const Tree* given,
         const WorkProgress& progress)
       : device(deviceFor(context, settings.traversal, scene.triangles.size())),
-        tree(buildSceneTree(scene, device.maxTextureSize(), progress)),
-        tracer(device, scene, tracerSettings(settings), tree, progress),
+        tree(given ? given->shared()
+                   : std::make_shared<const SceneTree>(
+                         buildSceneTree(scene, device.maxTextureSize(), progress))),
+        tracer(device, scene, tracerSettings(settings), *tree, progress),
         trial(tracer.candidates()),
         noise(device) {
     tracer.resize(settings.width, settings.height);
@@ -140,7 +146,7 @@ class Renderer::State {
   }
 
   gl::Device device;
-  SceneTree tree;
+  std::shared_ptr<const SceneTree> tree;
   PathTracer tracer;
   TraversalTrial trial;
   NoiseMeter noise;
@@ -191,23 +197,34 @@ class Renderer::State {
   double sample_seconds_ = 0;  // spent on the sample that is being drawn
 };
 
+Tree::Tree(const Scene& scene, const WorkProgress& progress)
+    : tree_(std::make_shared<SceneTree>(buildSceneTree(scene, kLargestTexture, progress))) {}
+
 Renderer::Renderer(ContextHandle& context, const Scene& scene, const RenderSettings& settings,
                    const WorkProgress& progress)
-    : state_(std::make_unique<State>(context.get(), scene, settings, progress)) {}
+    : state_(std::make_unique<State>(context.get(), scene, settings, nullptr, progress)) {}
+Renderer::Renderer(ContextHandle& context, const Scene& scene, const Tree& tree,
+                   const RenderSettings& settings, const WorkProgress& progress)
+    : state_(std::make_unique<State>(context.get(), scene, settings, &tree, progress)) {}
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
 void Renderer::setMaterials(const Scene& scene) {
-  if (!isOver(state_->tree, scene))
+  if (!isOver(*state_->tree, scene))
     throw Error(ErrorKind::usage,
                 "the triangles are not where they were; make another renderer for this scene");
-  state_->tracer.setMaterials(scene, state_->tree);
+  state_->tracer.setMaterials(scene, *state_->tree);
   state_->restart();
 }
 
 void Renderer::setCamera(const Camera& camera) {
   state_->tracer.setCamera(camera);
+  state_->restart();
+}
+
+void Renderer::update(const Scene& scene, const Tree& tree) {
+  state_->tracer.update(scene, tree.get());
   state_->restart();
 }
 
@@ -306,7 +323,7 @@ RenderStatistics Renderer::statistics() const {
   RenderStatistics statistics;
   statistics.traversal = tracer.traversal();
   statistics.traversal_times = state_->trial.times();
-  statistics.triangles = state_->tree.bvh.order.size();
+  statistics.triangles = state_->tree->bvh.order.size();
   statistics.nodes = tracer.scene().nodeCount();
   statistics.texture_bytes = tracer.scene().bytes();
   statistics.warnings = tracer.scene().warnings();

@@ -26,6 +26,7 @@ namespace glimt {
 namespace gl {
 class Context;
 }
+struct SceneTree;
 
 // --- Where GL comes from ---------------------------------------------------------------------
 
@@ -53,6 +54,23 @@ ContextHandle createOffscreenContext(Backend backend, int gles);
 // The context that a window library has made current on this thread.
 using ProcLoader = std::function<void*(const char* name)>;
 ContextHandle adoptCurrentContext(const ProcLoader& load);
+
+// --- The tree ----------------------------------------------------------------------------------
+
+// Over a scene's triangles, by which rays find them. It is made without GL, on any thread, and
+// copies share it.
+class Tree {
+ public:
+  // Takes seconds for millions of triangles, which `progress` is told of; what that throws ends the
+  // work. Errors: input, for more triangles than any device can hold.
+  explicit Tree(const Scene& scene, const WorkProgress& progress = {});
+
+  const SceneTree& get() const { return *tree_; }
+  const std::shared_ptr<const SceneTree>& shared() const { return tree_; }
+
+ private:
+  std::shared_ptr<const SceneTree> tree_;
+};
 
 // --- Rendering -------------------------------------------------------------------------------
 
@@ -132,6 +150,10 @@ class Renderer {
   // shader that does not compile and where GL is out of memory or loses the context.
   Renderer(ContextHandle& context, const Scene& scene, const RenderSettings& settings,
            const WorkProgress& progress = {});
+  // The same with a tree that is there already: that of the scene, or of one that differs from it
+  // only in what update() may change.
+  Renderer(ContextHandle& context, const Scene& scene, const Tree& tree,
+           const RenderSettings& settings, const WorkProgress& progress = {});
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
   ~Renderer();
@@ -145,6 +167,11 @@ class Renderer {
   // Starts the picture again.
   void setCamera(const Camera& camera);
   void resize(int width, int height);
+
+  // The same for the scene with other numbers and colours of its materials and its environment, and
+  // all else as it was: triangles, the pictures on them, names, alpha. `tree` is that of the scene.
+  // Compiles where it calls for other effects. Errors: input, as of the constructor.
+  void update(const Scene& scene, const Tree& tree);
 
   // The same with other limits, and with other random numbers. There can be a clamp only if
   // RenderSettings had one.

@@ -44,9 +44,13 @@ OrbitCamera::OrbitCamera(const Camera& start) : start_(start), camera_(start) {
 
 void OrbitCamera::reset() {
   camera_ = start_;
-  const Vec3 arm = start_.position - start_.target;
-  yaw_ = 0;
-  pitch_ = std::atan2(glm::dot(arm, up_), glm::dot(arm, front_));
+  takeArm();
+}
+
+void OrbitCamera::takeArm() {
+  const Vec3 arm = camera_.position - camera_.target;
+  yaw_ = std::atan2(glm::dot(arm, side_), glm::dot(arm, front_));
+  pitch_ = std::atan2(glm::dot(arm, up_), glm::length(arm - glm::dot(arm, up_) * up_));
   distance_ = glm::length(arm);
   // A camera that starts above the limit does not jump when it is first touched.
   steepest_ = std::max(kSteepest, std::abs(pitch_));
@@ -69,20 +73,59 @@ void OrbitCamera::pan(Vec2 drag) {
 }
 
 void OrbitCamera::zoom(float steps) {
+  zoomTowards(camera_.target, steps);
+}
+
+// By how much the distance changes.
+float OrbitCamera::scaleFor(float steps) const {
   const float start = glm::distance(start_.position, start_.target);
-  distance_ =
+  const float distance =
       std::clamp(distance_ * std::exp(-kZoomStep * steps), kClosest * start, kFarthest * start);
+  return distance / distance_;
+}
+
+// A parallel picture grows with the distance, and what a lens shows sharp moves with the target.
+void OrbitCamera::zoomTowards(const Vec3& point, float steps) {
+  const float scale = scaleFor(steps);
+  distance_ *= scale;
+  camera_.target = point + scale * (camera_.target - point);
+  camera_.orthographic_height *= scale;
+  camera_.focus_distance *= scale;
   place();
+}
+
+void OrbitCamera::lookAt(const Vec3& point) {
+  const Vec3 arm = camera_.position - point;
+  if (!(glm::length(arm) > 0)) return;
+  camera_.target = point;
+  takeArm();
+  camera_.focus_distance = distance_;
+  place();
+}
+
+void OrbitCamera::frame(const Bounds& box, float aspect) {
+  const float radius = 0.5f * glm::length(box.size());
+  if (!(radius > 0)) return;
+  const float half_height = CameraFrame(camera_).half_height * std::min(aspect, 1.0f);
+  const float distance = radius * std::sqrt(1 + 1 / (half_height * half_height));
+  camera_.target = box.center();
+  if (camera_.orthographic_height > 0)
+    camera_.orthographic_height = 2 * radius / std::min(aspect, 1.0f);
+  distance_ = distance;
+  camera_.focus_distance = distance;
+  place();
+}
+
+void OrbitCamera::setLens(float vertical_fov, float aperture_radius, float focus_distance) {
+  camera_.vertical_fov = vertical_fov;
+  camera_.aperture_radius = aperture_radius;
+  camera_.focus_distance = focus_distance;
 }
 
 void OrbitCamera::place() {
   const Vec3 level = std::cos(yaw_) * front_ + std::sin(yaw_) * side_;
   const Vec3 arm = std::cos(pitch_) * level + std::sin(pitch_) * up_;
   camera_.position = camera_.target + distance_ * arm;
-  // A parallel picture grows with the distance, and what a lens shows sharp moves with the target.
-  const float start = glm::distance(start_.position, start_.target);
-  camera_.orthographic_height = start_.orthographic_height * (distance_ / start);
-  camera_.focus_distance = start_.focus_distance * (distance_ / start);
 }
 
 }  // namespace glimt

@@ -29,11 +29,25 @@ class OrbitCamera {
   // Each step goes the same part of the way to the target, so never through it.
   void zoom(float steps);
 
+  // The same about any point, which stays where it is in the picture.
+  void zoomTowards(const Vec3& point, float steps);
+
+  // Turns to the point, which is what is turned around and what a lens shows sharp from then on.
+  void lookAt(const Vec3& point);
+
+  // Moves along its view until the box fills a picture of that aspect, width / height.
+  void frame(const Bounds& box, float aspect);
+
+  // The lens, and how wide the view is; where the camera is stays.
+  void setLens(float vertical_fov, float aperture_radius, float focus_distance);
+
   // Back to the start, bit for bit.
   void reset();
 
  private:
   void place();
+  void takeArm();
+  float scaleFor(float steps) const;
 
   Camera start_;
   Camera camera_;

@@ -2,187 +2,267 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "app/message.h"
-#include "app/viewer/snapshot_name.h"
 #include "renderer/core/error.h"
-#include "renderer/core/image_file.h"
 #include "renderer/core/wording.h"
 
 namespace glimt {
 namespace {
 
-constexpr double kFrameSeconds = 1.0 / 30;
+// Between two looks at what the threads do, where nobody does anything.
+constexpr double kIdleSeconds = 0.25;
 constexpr double kTitleSeconds = 0.25;
-constexpr double kMessageSeconds = 4;
+constexpr double kMessageSeconds = 5;
+constexpr double kFailureSeconds = 15;
 
-// How long camera and window are left alone before the picture is drawn in full.
-constexpr double kRestSeconds = 0.25;
+// Events that were there before the wait for them began came while something else was done.
+constexpr double kAtOnce = 0.001;
 
-// Nobody sees the noise of more: the viewer then rests.
-constexpr int kMostSamples = 65536;
+// ImGui takes a frame to learn of an event, and another to answer it.
+constexpr int kFramesOfEvent = 3;
+
+// Seconds in which nothing changes before what takes long is begun.
+constexpr double kRestSeconds = 0.3;
+
+constexpr float kTurnsPerSecond = 1.0f / 12;
+
+// A narrower window has more use for the picture than for the panel.
+constexpr int kNarrow = 800;
+
+RenderSettings settingsOf(const PictureOptions& options) {
+  RenderSettings settings;
+  settings.seed = options.seed;
+  settings.traversal = options.traversal;
+  settings.record = options.record;
+  settings.sampler = options.sampler;
+  settings.clamp = options.clamp;
+  return settings;
+}
 
 }  // namespace
 
-Viewer::Viewer(Window& window, Renderer& renderer, const ViewerSettings& settings)
+Viewer::Viewer(Window& window, const PictureOptions& picture)
     : window_(window),
-      renderer_(renderer),
-      settings_(settings),
-      orbit_(settings.camera),
-      window_size_(window.framebufferSize()) {
+      options_(picture),
+      gui_(window),
+      canvas_(gui_),
+      renderer_(settingsOf(picture), picture.gles, Window::wake),
+      camera_(Camera()) {
+  state_.panel = window.framebufferSize()[0] >= kNarrow * window.scale();
   window_.listen(*this);
 }
 
-void Viewer::run() {
+void Viewer::run(const SceneChoice& first) {
+  load(first);
+  window_.show();
   while (!window_.closing()) {
     handleEvents();
-    if (window_.minimized()) continue;
-    noteResize();
-    startPictures();
-    work();
-    show();
-    saveWhenReady();
+    takeResults();
+    watchFile();
+    turnTable();
+    ask();
+    if (snapshot_) renderer_.save(*std::exchange(snapshot_, std::nullopt));
+    if (!window_.minimized() && frames_wanted_ > 0) {
+      --frames_wanted_;
+      draw();
+    }
     updateTitle();
   }
+  // What still runs may take a moment to notice.
+  window_.hide();
 }
 
 void Viewer::handleEvents() {
-  if (window_.minimized()) {
-    window_.waitEvents();
-  } else if (finished()) {
-    window_.waitEvents(kTitleSeconds);
-  } else {
+  const Stopwatch waited;
+  const double before = since_events_.seconds();
+  event_age_ = before;
+  if (frames_wanted_ > 0)
     window_.pollEvents();
+  else
+    window_.waitEvents(kIdleSeconds);
+  if (waited.seconds() > kAtOnce) event_age_ = 0;
+  since_events_ = {};
+  if (window_.takeActivity()) frames_wanted_ = kFramesOfEvent;
+}
+
+void Viewer::turnTable() {
+  if (!state_.turntable || !scene_ || window_.minimized()) {
+    since_turn_ = {};
+    return;
   }
+  const double seconds = since_turn_.seconds();
+  if (seconds < 1.0 / 60) return;
+  since_turn_ = {};
+  camera_.orbit({-2 * kTurnsPerSecond * static_cast<float>(seconds), 0});
+  event_age_ = 0;
+  asked_ = true;
 }
 
-void Viewer::orbit(Vec2 drag) noexcept {
-  orbit_.orbit(drag);
-  change();
+void Viewer::takeResults() {
+  if (std::optional<PictureFrame> frame = renderer_.takeFrame()) {
+    canvas_.take(*frame);
+    shown_serial_ = frame->serial;
+    frames_wanted_ = std::max(frames_wanted_, 1);
+  }
+  for (const Message& message : renderer_.takeMessages()) tell(message.text, message.failure);
+  PictureStatus status = renderer_.status();
+  if (status.samples != status_.samples || status.divisor != status_.divisor)
+    frames_wanted_ = std::max(frames_wanted_, 1);
+  status_ = std::move(status);
+  if (status_.noise) noise_.add(*status_.noise);
+  if (status_.divisor > 1) noise_.clear();
+  takeScene();
+  takeOutline();
+  takeFinished();
 }
 
-void Viewer::pan(Vec2 drag) noexcept {
-  orbit_.pan(drag);
-  change();
-}
-
-void Viewer::zoom(float steps) noexcept {
-  orbit_.zoom(steps);
-  change();
-}
-
-void Viewer::reset() noexcept {
-  orbit_.reset();
-  change();
-}
-
-void Viewer::change() {
-  changed_ = true;
-  since_change_ = {};
-  message_.clear();
-}
-
-void Viewer::noteResize() {
+void Viewer::ask() {
   const std::array<int, 2> size = window_.framebufferSize();
-  if (size == window_size_) return;
-  window_size_ = size;
-  change();
+  const bool rest = window_.minimized();
+  if (size != request_.size || rest != request_.rest) asked_ = true;
+  if (!asked_) return;
+  asked_ = false;
+  const bool moved = !rest && scene_ != nullptr;
+  request_ = {{scene_, state_.look}, beside_, camera_.camera(), size, rest, request_.serial + 1};
+  if (moved) pace_.asked(request_.serial, event_age_);
+  renderer_.ask(request_);
+  since_change_ = {};
+  outline_wanted_ = true;
+  canvas_.hideOutline();
+  frames_wanted_ = std::max(frames_wanted_, 1);
 }
 
-void Viewer::startPictures() {
-  const bool has_sample = renderer_.samples() > 0;
-  if (changed_) {
-    // A hand that never rests would see nothing if it could end previews before their first sample.
-    if (picture_ == Picture::preview && !has_sample) return;
-    changed_ = false;
-    picture_ = Picture::preview;
-    startPicture(preview_scale_.divisorFor(static_cast<double>(window_size_[0]) * window_size_[1]));
-  } else if (picture_ == Picture::preview && has_sample && since_change_.seconds() > kRestSeconds) {
-    picture_ = Picture::full;
-    if (divisor_ > 1) startPicture(1);
+void Viewer::draw() {
+  gui_.beginFrame();
+  canvas_.draw(state_.divider);
+  drawDivider();
+  const Look before = state_.look;
+  const std::optional<std::size_t> selected = state_.material;
+  PanelWishes wishes;
+  if (state_.panel) {
+    const PanelData data{scene_.get(),
+                         status_,
+                         renderer_.context(),
+                         options_.record,
+                         noise_,
+                         effects_,
+                         recent_,
+                         request_.size,
+                         {pace_.framesPerSecond(), pace_.lastLatency()},
+                         limits_,
+                         measuring_ != nullptr,
+                         saving_ ? std::optional(saving_->progress()) : std::nullopt,
+                         beside_.has_value(),
+                         history_ && history_->canUndo(),
+                         history_ && history_->canRedo()};
+    wishes = drawPanel(data, state_, fields_);
   }
-}
+  if (state_.help) drawHelp(state_.help);
+  drawNotice();
+  gui_.endFrame();
+  if (fields_.typing_path) frames_wanted_ = kFramesOfEvent;
+  if (shown_serial_) pace_.shown(*shown_serial_);
+  shown_serial_.reset();
 
-void Viewer::startPicture(int divisor) {
-  const auto reduced = [&](int side) { return (side + divisor - 1) / divisor; };
-  renderer_.resize(reduced(window_size_[0]), reduced(window_size_[1]));
-  renderer_.setCamera(orbit_.camera());
-  divisor_ = divisor;
-  work_seconds_ = 0;
-  sample_seconds_ = 0;
-  shown_samples_ = 0;
-}
-
-void Viewer::work() {
-  const double pixels =
-      static_cast<double>(window_size_[0]) * window_size_[1] / divisor_ / divisor_;
-  const Stopwatch frame;
-  while (frame.seconds() < kFrameSeconds && !finished()) {
-    const int before = renderer_.samples();
-    const Stopwatch clock;
-    renderer_.advance(kFrameSeconds - frame.seconds(), before + 1);
-    work_seconds_ += clock.seconds();
-    sample_seconds_ += clock.seconds();
-    if (renderer_.samples() == before) continue;
-    preview_scale_.learn(pixels, sample_seconds_);
-    sample_seconds_ = 0;
-    if (before == 0) break;  // it is waited for
+  if (state_.look != before) {
+    asked_ = true;
+    event_age_ = since_events_.seconds();
   }
+  if (state_.material != selected) outline_wanted_ = true;
+  // A slider that is held is one step when it is let go.
+  if (history_ && !ImGui::IsAnyItemActive()) history_->keep(state_.look);
+  fulfil(wishes);
 }
 
-bool Viewer::finished() const {
-  return !changed_ && picture_ == Picture::full && renderer_.samples() >= kMostSamples;
+void Viewer::drawDivider() {
+  if (!canvas_.comparing()) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (!dragging_divider_) return;
+  state_.divider = std::clamp(io.MousePos.x / io.DisplaySize.x, 0.02f, 0.98f);
+  if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) dragging_divider_ = false;
 }
 
-// The window keeps the last picture until the next one has a sample.
-void Viewer::show() {
-  const int samples = renderer_.samples();
-  if (samples == 0 || (samples == shown_samples_ && !damaged_)) return;
-  if (shown_samples_ > 0 && since_shown_.seconds() < kFrameSeconds) return;
-  if (!visible_) window_.show();
-  visible_ = true;
-  renderer_.present(window_size_[0], window_size_[1], settings_.exposure, settings_.tone);
-  window_.swapBuffers();
-  shown_samples_ = samples;
-  damaged_ = false;
-  since_shown_ = {};
-}
-
-void Viewer::saveWhenReady() {
-  if (!save_asked_ || changed_ || picture_ != Picture::full || renderer_.samples() == 0) return;
-  save_asked_ = false;
-  try {
-    const std::filesystem::path file = snapshotName(settings_.name);
-    writeDisplayImage(file, renderer_.display(settings_.exposure, settings_.tone));
-    message_ = fmt::format("saved {}", file.string());
-    say(fmt::format("{}, {}", message_, counted(renderer_.samples(), "sample")));
-  } catch (const Error& error) {
-    message_ = "the picture could not be saved";
-    say(error.what());
+// What is being done, and what went wrong, over the picture.
+void Viewer::drawNotice() {
+  const double lasts = message_is_failure_ ? kFailureSeconds : kMessageSeconds;
+  if (since_message_.seconds() > lasts) message_.clear();
+  if (!loading_ && message_.empty() && !(scene_ && canvas_.empty())) return;
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const float left = state_.panel ? panelWidth(size.x) : 0;
+  ImGui::SetNextWindowPos({0.5f * (left + size.x), size.y - 12}, ImGuiCond_Always, {0.5f, 1});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {std::max(size.x - left - 24, 100.0f), size.y});
+  ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                           ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing |
+                           ImGuiWindowFlags_NoNav;
+  // What can only be read does not keep the mouse from the picture.
+  if (!loading_) flags |= ImGuiWindowFlags_NoInputs;
+  if (ImGui::Begin("notice", nullptr, flags)) {
+    if (!message_.empty()) {
+      ImGui::PushTextWrapPos(std::max(size.x - left - 60, 80.0f));
+      if (message_is_failure_) ImGui::PushStyleColor(ImGuiCol_Text, {1, 0.55f, 0.45f, 1});
+      ImGui::TextUnformatted(message_.c_str());
+      if (message_is_failure_) ImGui::PopStyleColor();
+      ImGui::PopTextWrapPos();
+    }
+    if (loading_) {
+      const std::string name = printable(loading_choice_->path.filename().string());
+      ImGui::Text("loading %s", name.c_str());
+      ImGui::ProgressBar(loading_->progress(), {14 * ImGui::GetFontSize(), 0});
+      if (scene_) {
+        ImGui::SameLine();
+        if (ImGui::Button("Cancel")) loading_->cancel();
+      }
+    } else if (scene_ && canvas_.empty()) {
+      ImGui::TextUnformatted("preparing the first picture");
+    }
   }
-  since_message_ = {};
-  showTitle();
+  ImGui::End();
 }
 
-std::string Viewer::progress() const {
-  const int samples = renderer_.samples();
-  const double rate = samples > 0 ? samples / work_seconds_ : 0;
-  const std::string size = divisor_ > 1 ? fmt::format(", 1/{} size", divisor_) : "";
-  return fmt::format("{}, {:.{}f} samples/s{}", counted(samples, "sample"), rate, rate < 10 ? 1 : 0,
-                     size);
+void Viewer::fulfil(const PanelWishes& wishes) {
+  if (wishes.open) open(*wishes.open);
+  if (wishes.variant) chooseVariant(*wishes.variant);
+  if (wishes.camera) chooseCamera(*wishes.camera);
+  if (wishes.save_picture) savePicture(*wishes.save_picture);
+  if (wishes.save_scene) saveScene();
+  if (wishes.copy_command) copyCommand();
+  if (wishes.measure_limits) measureLimits();
+  if (wishes.cancel_saving && saving_) saving_->cancel();
+  if (wishes.undo && history_) step(history_->undo());
+  if (wishes.redo && history_) step(history_->redo());
+  if (wishes.compare) compare();
+  if (wishes.frame) frame();
+  if (wishes.reset) press({Key::r});
 }
 
 void Viewer::updateTitle() {
   if (since_title_.seconds() < kTitleSeconds) return;
-  if (since_message_.seconds() > kMessageSeconds) message_.clear();
-  showTitle();
-}
-
-void Viewer::showTitle() {
-  const std::string title = printable(
-      fmt::format("{} - {} - glimt", settings_.name, message_.empty() ? progress() : message_));
+  since_title_ = {};
+  const std::string name = scene_ ? scene_->scene.name : "loading";
+  const double rate = status_.sample_rate;
+  const std::string size = status_.divisor > 1 ? fmt::format(", 1/{} size", status_.divisor) : "";
+  const std::string title =
+      printable(fmt::format("{} - {}, {:.{}f} samples/s{} - glimt", name,
+                            counted(static_cast<std::uintmax_t>(status_.samples), "sample"), rate,
+                            rate < 10 ? 1 : 0, size));
   if (title != title_) window_.setTitle(title);
   title_ = title;
-  since_title_ = {};
+}
+
+void Viewer::tell(const std::string& text, bool failure) {
+  message_ = printable(text);
+  message_is_failure_ = failure;
+  since_message_ = {};
+  frames_wanted_ = kFramesOfEvent;
+  say(text);
+}
+
+float Viewer::aspect() const {
+  const auto [width, height] = window_.framebufferSize();
+  return static_cast<float>(width) / static_cast<float>(height);
 }
 
 }  // namespace glimt

@@ -2,10 +2,13 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "renderer/core/error.h"
 
@@ -44,6 +47,33 @@ std::array<int, 2> fittedToMonitor(std::array<int, 2> size) {
       std::min({1.0, static_cast<double>(width) / size[0], static_cast<double>(height) / size[1]});
   const auto scaled = [&](int side) { return std::max(1, static_cast<int>(side * scale)); };
   return {scaled(size[0]), scaled(size[1])};
+}
+
+// Pixels that the mouse may move while a button is down for it to be a click.
+constexpr float kMostOfClick = 4;
+constexpr double kDoubleClickSeconds = 0.35;
+
+std::optional<KeyPress> keyNamed(int key, std::string_view letter) {
+  constexpr std::array<std::pair<int, Key>, 4> kKeys{{{GLFW_KEY_ESCAPE, Key::escape},
+                                                      {GLFW_KEY_TAB, Key::tab},
+                                                      {GLFW_KEY_F1, Key::f1},
+                                                      {GLFW_KEY_SPACE, Key::space}}};
+  constexpr std::array<std::pair<char, Key>, 9> kLetters{{{'c', Key::c},
+                                                          {'d', Key::d},
+                                                          {'f', Key::f},
+                                                          {'o', Key::o},
+                                                          {'r', Key::r},
+                                                          {'s', Key::s},
+                                                          {'t', Key::t},
+                                                          {'y', Key::y},
+                                                          {'z', Key::z}}};
+  for (const auto& [number, named] : kKeys)
+    if (key == number) return KeyPress{named};
+  if (letter.size() != 1) return {};
+  for (const auto& [character, named] : kLetters)
+    if (letter[0] == character) return KeyPress{named};
+  if (letter[0] >= '1' && letter[0] <= '9') return KeyPress{Key::digit, letter[0] - '0'};
+  return {};
 }
 
 Window& windowOf(GLFWwindow* window) {
@@ -85,60 +115,130 @@ void Window::open(std::array<int, 2> size, const std::string& title) {
   window_.reset(glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr));
 }
 
+// Each tells the user interface first, which keeps what it needs to know.
 void Window::installCallbacks() {
   GLFWwindow* const window = window_.get();
   glfwSetWindowUserPointer(window, this);
   glfwSetCursorPosCallback(
       window, [](GLFWwindow* w, double x, double y) { windowOf(w).onCursor(Vec2(x, y)); });
-  glfwSetScrollCallback(window, [](GLFWwindow* w, double, double steps) {
-    if (WindowListener* const to = windowOf(w).listener_) to->zoom(static_cast<float>(steps));
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
+    ImGui_ImplGlfw_MouseButtonCallback(w, button, action, modifiers);
+    windowOf(w).onButton(button, action == GLFW_PRESS, modifiers);
   });
-  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int) {
-    if (action == GLFW_PRESS) windowOf(w).onKey(key, scancode);
+  glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+    ImGui_ImplGlfw_ScrollCallback(w, x, y);
+    windowOf(w).onWheel(static_cast<float>(y));
   });
-  glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) {
-    if (WindowListener* const to = windowOf(w).listener_) to->redraw();
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
+    windowOf(w).active_ = true;
+    if (action == GLFW_RELEASE)
+      windowOf(w).released_.push_back({key, scancode, modifiers});
+    else
+      ImGui_ImplGlfw_KeyCallback(w, key, scancode, action, modifiers);
+    if (action == GLFW_PRESS) windowOf(w).onKey(key, scancode, modifiers);
   });
+  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned int character) {
+    ImGui_ImplGlfw_CharCallback(w, character);
+    windowOf(w).active_ = true;
+  });
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+    ImGui_ImplGlfw_WindowFocusCallback(w, focused);
+    windowOf(w).active_ = true;
+  });
+  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+    ImGui_ImplGlfw_CursorEnterCallback(w, entered);
+    windowOf(w).active_ = true;
+  });
+  glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { windowOf(w).active_ = true; });
+  glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+    windowOf(w).active_ = true;
+    WindowListener* const to = windowOf(w).listener_;
+    if (to != nullptr && count > 0) to->open(paths[0]);
+  });
+}
+
+Vec2 Window::shareOf(Vec2 position) const {
+  int width = 0, height = 0;
+  glfwGetWindowSize(window_.get(), &width, &height);
+  return position / Vec2(std::max(width, 1), std::max(height, 1));
 }
 
 void Window::onCursor(Vec2 position) {
+  active_ = true;
   int width = 0, height = 0;
   glfwGetWindowSize(window_.get(), &width, &height);
   // Not glfwGetCursorPos(), which is ahead of the events.
-  const Vec2 drag =
-      (position - last_cursor_.value_or(position)) / static_cast<float>(std::max(height, 1));
-  last_cursor_ = position;
-  if (listener_ == nullptr || drag == Vec2(0)) return;
+  const Vec2 move = position - cursor_.value_or(position);
+  cursor_ = position;
+  if (listener_ == nullptr || move == Vec2(0) || drag_ == Drag::none) return;
+  dragged_ += std::abs(move.x) + std::abs(move.y);
+  const Vec2 drag = move / static_cast<float>(std::max(height, 1));
+  if (drag_ == Drag::orbit) listener_->orbit(drag);
+  if (drag_ == Drag::pan) listener_->pan(drag);
+  if (drag_ == Drag::light) listener_->turnLight(drag);
+}
 
-  const auto button = [&](int which) {
-    return glfwGetMouseButton(window_.get(), which) == GLFW_PRESS;
-  };
-  const auto key = [&](int which) { return glfwGetKey(window_.get(), which) == GLFW_PRESS; };
-  const bool left = button(GLFW_MOUSE_BUTTON_LEFT);
-  const bool shift = key(GLFW_KEY_LEFT_SHIFT) || key(GLFW_KEY_RIGHT_SHIFT);
-  if (button(GLFW_MOUSE_BUTTON_RIGHT) || (left && shift)) {
-    listener_->pan(drag);
-  } else if (left) {
-    listener_->orbit(drag);
+void Window::onButton(int button, bool pressed, int modifiers) {
+  active_ = true;
+  if (listener_ == nullptr) return;
+  if (!cursor_) {
+    double x = 0, y = 0;
+    glfwGetCursorPos(window_.get(), &x, &y);
+    cursor_ = Vec2(x, y);
+  }
+  const Vec2 at = shareOf(*cursor_);
+  if (pressed) {
+    if (drag_ != Drag::none || listener_->covered(at)) return;
+    const bool left = button == GLFW_MOUSE_BUTTON_LEFT;
+    const bool shift = (modifiers & GLFW_MOD_SHIFT) != 0;
+    const bool control = (modifiers & GLFW_MOD_CONTROL) != 0;
+    drag_ = !left || control ? Drag::pan : shift ? Drag::light : Drag::orbit;
+    drag_button_ = button;
+    dragged_ = 0;
+    return;
+  }
+  if (drag_ == Drag::none || button != drag_button_) return;
+  const bool clicked = drag_ == Drag::orbit && dragged_ <= kMostOfClick;
+  drag_ = Drag::none;
+  if (!clicked) return;
+  const bool again = since_click_ && since_click_->seconds() < kDoubleClickSeconds;
+  if (again) {
+    since_click_.reset();
+    listener_->doubleClick(at);
+  } else {
+    since_click_.emplace();
+    listener_->click(at);
   }
 }
 
-void Window::onKey(int key, int scancode) {
-  if (key == GLFW_KEY_ESCAPE) glfwSetWindowShouldClose(window_.get(), GLFW_TRUE);
+void Window::onWheel(float steps) {
+  active_ = true;
+  if (listener_ == nullptr || !cursor_) return;
+  const Vec2 at = shareOf(*cursor_);
+  if (!listener_->covered(at)) listener_->zoom(steps, at);
+}
+
+void Window::onKey(int key, int scancode, int modifiers) {
   if (listener_ == nullptr) return;
   // The letter on the key, wherever the user's layout has it.
   const char* const name = glfwGetKeyName(key, scancode);
-  const std::string_view letter = name != nullptr ? name : "";
-  if (letter == "r") listener_->reset();
-  if (letter == "s") listener_->save();
+  std::optional<KeyPress> press = keyNamed(key, name != nullptr ? name : "");
+  if (!press) return;
+  press->control = (modifiers & GLFW_MOD_CONTROL) != 0;
+  press->shift = (modifiers & GLFW_MOD_SHIFT) != 0;
+  listener_->press(*press);
 }
 
-ProcLoader Window::loader() const {
+gl::ProcLoader Window::loader() const {
   return [](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); };
 }
 
 void Window::show() {
   glfwShowWindow(window_.get());
+}
+
+void Window::hide() {
+  glfwHideWindow(window_.get());
 }
 
 void Window::setTitle(const std::string& title) {
@@ -155,6 +255,12 @@ std::array<int, 2> Window::framebufferSize() const {
   return {std::max(width, 1), std::max(height, 1)};
 }
 
+float Window::scale() const {
+  float x = 1, y = 1;
+  glfwGetWindowContentScale(window_.get(), &x, &y);
+  return std::max({x, y, 1.0f});
+}
+
 bool Window::minimized() const {
   return glfwGetWindowAttrib(window_.get(), GLFW_ICONIFIED) == GLFW_TRUE;
 }
@@ -163,16 +269,32 @@ bool Window::closing() const {
   return glfwWindowShouldClose(window_.get()) == GLFW_TRUE;
 }
 
+void Window::close() {
+  glfwSetWindowShouldClose(window_.get(), GLFW_TRUE);
+}
+
+// ImGui looks at keys once a frame: one that came up in the frame it went down was never down.
+void Window::releaseKeys() {
+  for (const auto& [key, scancode, modifiers] : std::exchange(released_, {}))
+    ImGui_ImplGlfw_KeyCallback(window_.get(), key, scancode, GLFW_RELEASE, modifiers);
+}
+
 void Window::pollEvents() {
+  releaseKeys();
   glfwPollEvents();
 }
 
-void Window::waitEvents() {
-  glfwWaitEvents();
+void Window::waitEvents(double most_seconds) {
+  releaseKeys();
+  glfwWaitEventsTimeout(most_seconds);
 }
 
-void Window::waitEvents(double most_seconds) {
-  glfwWaitEventsTimeout(most_seconds);
+void Window::wake() {
+  glfwPostEmptyEvent();
+}
+
+bool Window::takeActivity() {
+  return std::exchange(active_, false);
 }
 
 }  // namespace glimt

@@ -35,6 +35,7 @@ using ProcLoader = std::function<void*(const char* name)>;
   X(DeleteTextures, PFNGLDELETETEXTURESPROC)                     \
   X(Disable, PFNGLDISABLEPROC)                                   \
   X(DrawArrays, PFNGLDRAWARRAYSPROC)                             \
+  X(DrawElements, PFNGLDRAWELEMENTSPROC)                         \
   X(Enable, PFNGLENABLEPROC)                                     \
   X(EnableVertexAttribArray, PFNGLENABLEVERTEXATTRIBARRAYPROC)   \
   X(Finish, PFNGLFINISHPROC)                                     \

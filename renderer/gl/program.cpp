@@ -96,7 +96,9 @@ Program::Program(const Functions& gl, const std::string& name, const std::string
   const ShaderHandle fragment = compile(gl, name, GL_FRAGMENT_SHADER, fragment_source);
   gl.AttachShader(handle_.name(), vertex.name());
   gl.AttachShader(handle_.name(), fragment.name());
-  gl.BindAttribLocation(handle_.name(), 0, "position");
+  GLuint place = 0;
+  for (const char* const attribute : {"position", "texcoord", "color"})
+    gl.BindAttribLocation(handle_.name(), place++, attribute);
   gl.LinkProgram(handle_.name());
   GLint linked = GL_FALSE;
   gl.GetProgramiv(handle_.name(), GL_LINK_STATUS, &linked);

@@ -12,7 +12,8 @@ namespace glimt::gl {
 
 class Program {
  public:
-  // `name` is for messages. The vertex attribute `position` has location 0.
+  // `name` is for messages. The vertex attributes `position`, `texcoord` and `color` have the
+  // locations 0, 1 and 2.
   // Errors: failed, with the driver's log and the line of the source that it speaks of.
   Program(const Functions& gl, const std::string& name, const std::string& vertex_source,
           const std::string& fragment_source);

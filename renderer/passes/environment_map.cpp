@@ -126,6 +126,10 @@ EnvironmentMap::EnvironmentMap(const gl::Device& device, const Environment& envi
   EnvironmentCells cells = environmentCells(image, mostCells(environment));
   cells_ =
       gl::Texture::floats(device.gl(), device.floatForm(), cells.width, cells.height, cells.texels);
+  turn(environment);
+}
+
+void EnvironmentMap::turn(const Environment& environment) {
   scale_ = environment.shines() ? environment.radiance() : Vec3(0);
   const double angle = std::numbers::pi / 180 * environment.rotation;
   rotation_ = Vec2(std::cos(angle), std::sin(angle));

@@ -165,6 +165,15 @@ void PathTracer::setMaterials(const Scene& scene, const SceneTree& tree) {
   camera_ = scene.camera;
 }
 
+void PathTracer::update(const Scene& scene, const SceneTree& tree) {
+  scene_.update(*device_, scene, tree, forced_);
+  effects_ = withCamera(withForced(effectsOf(scene), forced_), camera_);
+  accumulations_.setTransparent(has(effects_, Effect::transparent_background));
+  census_.forget();
+  restart();
+  compile({});
+}
+
 void PathTracer::setCamera(const Camera& camera) {
   camera_ = camera;
   effects_ = withForced(withCamera(effects_, camera), forced_);

@@ -52,6 +52,9 @@ class PathTracer {
   // there yet is compiled. Errors: as the constructor's; all is as it was then.
   void setMaterials(const Scene& scene, const SceneTree& tree);
 
+  // Begins again with the scene's materials and environment; see Renderer::update().
+  void update(const Scene& scene, const SceneTree& tree);
+
   // Compiles where the camera calls for other effects than the one before.
   void setCamera(const Camera& camera);
   void resize(int width, int height);

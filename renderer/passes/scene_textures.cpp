@@ -123,14 +123,11 @@ SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene, const
   build_seconds_ = tree.build_seconds +
                    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
-  const LightTable lights = buildLightTable(scene);
   nodes_ = makeDataTexture(device, std::move(nodes.texels), "tree nodes");
   triangles_ = makeDataTexture(device, packTriangles(scene, bvh), "triangles");
   atlas_ = TextureAtlas(device, scene);
   attributes_ =
       makeDataTexture(device, packAttributes(scene, bvh.order, effects), "vertex attributes");
-  materials_ = makeDataTexture(device, packMaterials(scene, lights, atlas_), "materials");
-  lights_ = makeDataTexture(device, packLights(lights, bvh), "lights");
   std::vector<Vec4> punctual = packPunctualLights(scene);
   punctual_light_count_ = punctual.size() / static_cast<std::size_t>(PUNCTUAL_LIGHT_TEXELS);
   punctual_lights_ = makeDataTexture(device, std::move(punctual), "lights without triangles");
@@ -143,11 +140,36 @@ SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene, const
   triangle_count_ = scene.triangles.size();
   grid_origin_ = nodes.grid_origin;
   grid_cell_ = nodes.grid_cell;
+  takeLights(device, scene, bvh, effects);
+  environment_map_ = EnvironmentMap(device, scene.environment, effects);
+}
+
+// What depends on how surfaces look, and on how bright everything is.
+void SceneTextures::takeLights(const gl::Device& device, const Scene& scene, const Bvh& bvh,
+                               const EffectSet& effects) {
+  const LightTable lights = buildLightTable(scene);
+  materials_ = makeDataTexture(device, packMaterials(scene, lights, atlas_), "materials");
+  lights_ = makeDataTexture(device, packLights(lights, bvh), "lights");
   light_count_ = lights.entries.size();
   gloss_table_ = makeGlossTexture(device, scene, effects);
   light_shares_ = lightShares(scene, lights);
   environment_radiance_ = scene.environment.radiance();
-  environment_map_ = EnvironmentMap(device, scene.environment, effects);
+  effects_ = effects;
+}
+
+void SceneTextures::update(const gl::Device& device, const Scene& scene, const SceneTree& tree,
+                           const EffectSet& forced) {
+  const EffectSet effects = withForced(effectsOf(scene), forced);
+  const auto changed = [&](Effect effect) { return has(effects, effect) != has(effects_, effect); };
+  if (changed(Effect::textures) || changed(Effect::vertex_colors))
+    attributes_ = makeDataTexture(device, packAttributes(scene, tree.bvh.order, effects),
+                                  "vertex attributes");
+  const bool lit_otherwise = changed(Effect::environment_map);
+  takeLights(device, scene, tree.bvh, effects);
+  if (lit_otherwise)
+    environment_map_ = EnvironmentMap(device, scene.environment, effects);
+  else
+    environment_map_.turn(scene.environment);
 }
 
 void SceneTextures::bind(gl::Program& program) const {

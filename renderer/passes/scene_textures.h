@@ -22,6 +22,10 @@ class SceneTextures {
       : SceneTextures(device, scene, buildSceneTree(scene, device.maxTextureSize(), progress),
                       layout) {}
 
+  // Takes the scene's materials and environment; see Renderer::update().
+  void update(const gl::Device& device, const Scene& scene, const SceneTree& tree,
+              const EffectSet& forced = {});
+
   // Sets every uniform that speaks of the scene, for the program in use.
   void bind(gl::Program& program) const;
 
@@ -32,6 +36,9 @@ class SceneTextures {
   double buildSeconds() const { return build_seconds_; }
 
  private:
+  void takeLights(const gl::Device& device, const Scene& scene, const Bvh& bvh,
+                  const EffectSet& effects);
+
   gl::Texture nodes_;
   gl::Texture triangles_;
   gl::Texture normals_;
@@ -41,6 +48,7 @@ class SceneTextures {
   gl::Texture lights_;
   gl::Texture punctual_lights_;
   gl::Texture gloss_table_;
+  EffectSet effects_;
   std::size_t node_count_ = 0;
   std::size_t stack_size_ = 0;
   std::size_t nodes_per_copy_ = 0;

@@ -144,13 +144,14 @@ void placeEnvironment(const SceneFile& file, const EnvironmentChoice& choice, Sc
         "black; the picture will be black");
 }
 
-Scene loadWithin(const fs::path& path, const LoadSettings& settings) {
+Scene loadWithin(const fs::path& path, LoadSettings settings) {
   SceneFile file;
   if (isSceneFile(path)) {
     file = readSceneFile(path);
   } else {
     file.model = path;
   }
+  if (settings.variant.empty()) settings.variant = file.variant;
   Scene scene = readModel(file.model, settings);
   if (isSceneFile(path)) scene.name = path.stem().stem().string();
   scene.render = file.render;

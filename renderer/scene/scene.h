@@ -42,6 +42,7 @@ struct TextureUse {
   float rotation = 0;
 
   bool used() const { return image != kNoIndex; }
+  bool operator==(const TextureUse&) const = default;
 };
 
 enum class AlphaMode {
@@ -86,6 +87,8 @@ struct Material {
   TextureUse clearcoat_roughness_texture;  // green
   TextureUse sheen_color_texture;          // colour
   TextureUse sheen_roughness_texture;      // alpha
+
+  bool operator==(const Material&) const = default;
 };
 
 // Texture coordinates of a vertex, v running down from the picture's top.

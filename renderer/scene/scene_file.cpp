@@ -162,7 +162,7 @@ SceneFile readSceneFile(const fs::path& path) {
   const JsonDocument document = readJson(path, kDeepest);
   const JsonFields fields(
       document, "", document.value,
-      {"model", "camera", "cameras", "environment", "lights", "materials", "render"});
+      {"model", "variant", "camera", "cameras", "environment", "lights", "materials", "render"});
   SceneFile file;
   const std::optional<std::string> model = fields.text("model");
   if (!model) {
@@ -172,6 +172,7 @@ SceneFile readSceneFile(const fs::path& path) {
                     printable(path.string())));
   }
   file.model = path.parent_path() / fs::path(*model);
+  file.variant = fields.text("variant").value_or("");
   if (const auto* camera = fields.object("camera")) {
     file.camera = readCamera(document, "camera", *camera);
   }

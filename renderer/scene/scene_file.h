@@ -40,6 +40,7 @@ struct NamedCameraSettings {
 
 struct SceneFile {
   std::filesystem::path model;
+  std::string variant;  // of the model's materials; empty: as they are without
   CameraSettings camera;
   std::vector<NamedCameraSettings> cameras;
   std::optional<Environment> environment;  // nothing: the file does not speak of it

@@ -1,5 +1,6 @@
 #include "app/viewer/orbit_camera.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -161,4 +162,41 @@ TEST_CASE("a target that is a mere direction moves into the model, and the view 
     camera.target = {1, 1, 10};
     CHECK(same(withTargetAtModel(camera, model).target, camera.target));
   }
+}
+
+TEST_CASE("zooming towards a point leaves it where it is in the picture") {
+  OrbitCamera orbit(start());
+  const Vec3 point(0.3f, 1.7f, 0.5f);
+  const Vec2 before = projected(orbit.camera(), point);
+  orbit.zoomTowards(point, 4);
+  CHECK(glm::distance(projected(orbit.camera(), point), before) < 1e-4f);
+  CHECK(glm::length(arm(orbit.camera())) < glm::length(arm(start())));
+}
+
+TEST_CASE("a camera that looks at a point has it in its middle, in focus, and turns around it") {
+  Camera lens = start();
+  lens.aperture_radius = 0.1f;
+  OrbitCamera orbit(lens);
+  const Vec3 point(-0.5f, 0.8f, 0.7f);
+  orbit.lookAt(point);
+  CHECK(near(orbit.camera().position, start().position));
+  CHECK(glm::length(projected(orbit.camera(), point)) < 1e-4f);
+  CHECK(orbit.camera().focus_distance == Approx(glm::distance(start().position, point)));
+  orbit.orbit({0.2f, 0.1f});
+  CHECK(glm::length(projected(orbit.camera(), point)) < 1e-4f);
+}
+
+TEST_CASE("a framed box is in the picture as a whole, and fills much of it") {
+  OrbitCamera orbit(start());
+  const Bounds box{{-3, 0, 1}, {5, 2, 4}};
+  orbit.frame(box, 1.5f);
+  float farthest = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 at((corner & 1) ? box.max.x : box.min.x, (corner & 2) ? box.max.y : box.min.y,
+                  (corner & 4) ? box.max.z : box.min.z);
+    const Vec2 seen = glm::abs(projected(orbit.camera(), at));
+    farthest = std::max({farthest, seen.x / 1.5f, seen.y});
+  }
+  CHECK(farthest <= 0.5f);
+  CHECK(farthest > 0.2f);
 }

@@ -1,0 +1,35 @@
+// The picture in the window, behind the panel.
+#pragma once
+
+#include <optional>
+
+#include "app/viewer/gui.h"
+#include "app/viewer/outline.h"
+#include "app/viewer/render_thread.h"
+
+namespace glimt {
+
+class Canvas {
+ public:
+  explicit Canvas(const Gui& gui);
+
+  void take(const PictureFrame& frame);
+  void setOutline(const Outline& outline);
+  void hideOutline() { outlined_ = false; }
+
+  // Between Gui::beginFrame() and endFrame(). `divider` is the share of the width that the picture
+  // beside takes, where there is one.
+  void draw(float divider) const;
+
+  bool empty() const { return picture_.empty(); }
+  bool comparing() const { return comparing_; }
+
+ private:
+  GuiTexture picture_;
+  GuiTexture beside_;
+  GuiTexture outline_;
+  bool comparing_ = false;
+  bool outlined_ = false;
+};
+
+}  // namespace glimt

@@ -1,0 +1,75 @@
+#include "app/viewer/panel/panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace glimt {
+namespace {
+
+// In heights of a line of text.
+constexpr float kWidth = 19.5f;
+constexpr float kNameWidth = 6.5f;
+
+bool beginSection(const char* name, bool open) {
+  return ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+}
+
+void drawSections(const PanelData& data, ViewerState& state, PanelFields& fields,
+                  PanelWishes& wishes) {
+  // Whoever is to type a path must see where.
+  const auto openFile = [&] {
+    if (fields.typing_path) ImGui::SetNextItemOpen(true);
+    return beginSection("File", false);
+  };
+  if (data.scene == nullptr) {
+    ImGui::SetNextItemOpen(true);
+    if (openFile()) drawFileSection(data, fields, wishes);
+    return;
+  }
+  if (beginSection("Picture", true)) drawPictureSection(data, state);
+  if (beginSection("Variants and changes", true)) drawVariantSection(data, state, wishes);
+  if (beginSection("Material", true)) drawMaterialSection(data, state);
+  if (beginSection("Light", true)) drawLightSection(data, state);
+  if (beginSection("Accuracy", false)) drawAccuracySection(data, state, wishes);
+  if (beginSection("Camera", false)) drawCameraSection(data, state, wishes);
+  if (openFile()) drawFileSection(data, fields, wishes);
+  if (beginSection("Scene", false)) drawSceneSection(data);
+  if (beginSection("Effects", false)) drawEffectsSection(data);
+  if (beginSection("Device", false)) drawDeviceSection(data);
+}
+
+}  // namespace
+
+float panelWidth(float window_width) {
+  return std::min(kWidth * ImGui::GetFontSize(), window_width);
+}
+
+void drawRow(const char* name, const std::string& value) {
+  ImGui::TextDisabled("%s", name);
+  ImGui::SameLine(kNameWidth * ImGui::GetFontSize());
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(value.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+PanelWishes drawPanel(const PanelData& data, ViewerState& state, PanelFields& fields) {
+  PanelWishes wishes;
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize({panelWidth(size.x), size.y});
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                      ImGuiWindowFlags_NoBringToFrontOnFocus;
+  if (ImGui::Begin("panel", nullptr, kFlags)) {
+    ImGui::PushItemWidth(-kNameWidth * ImGui::GetFontSize());
+    drawSections(data, state, fields, wishes);
+    ImGui::PopItemWidth();
+    ImGui::Spacing();
+    ImGui::TextDisabled("F1: keys    Tab: hide this");
+  }
+  ImGui::End();
+  return wishes;
+}
+
+}  // namespace glimt

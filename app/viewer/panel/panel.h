@@ -1,0 +1,101 @@
+// The panel over the picture: what it is told, and what comes back. One file draws one section.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/viewer/loaded_scene.h"
+#include "app/viewer/noise_history.h"
+#include "app/viewer/viewer_state.h"
+#include "app/viewer/window_picture.h"
+#include "renderer/limit_error.h"
+#include "renderer/scene/effects_of.h"
+
+namespace glimt {
+
+// How the window answers.
+struct WindowPace {
+  double frames_per_second = 0;  // while something moves
+  double latency = 0;            // seconds from an event to the picture that shows it
+};
+
+struct PanelData {
+  const LoadedScene* scene = nullptr;  // null while there is none
+  const PictureStatus& status;
+  const ContextInfo& device;
+  const std::string& record;  // how hits are kept
+  const NoiseHistory& noise;
+  const std::vector<EffectReport>& effects;
+  const std::vector<std::filesystem::path>& recent;
+  std::array<int, 2> size{1, 1};  // of the picture, in pixels
+  WindowPace pace;
+  std::optional<LimitError> limits;
+  bool measuring_limits = false;
+  std::optional<float> saving;  // how far a picture in the background is
+  bool comparing = false;
+  bool can_undo = false;
+  bool can_redo = false;
+};
+
+// A picture that is made beside the window.
+struct SavedPicture {
+  std::filesystem::path file;
+  std::array<int, 2> size{1, 1};
+  int samples = 1;
+};
+
+// What the user asks for, that is more than an edit.
+struct PanelWishes {
+  std::optional<std::filesystem::path> open;
+  std::optional<std::string> variant;
+  std::optional<std::size_t> camera;  // into Scene::cameras
+  std::optional<SavedPicture> save_picture;
+  bool save_scene = false;
+  bool copy_command = false;
+  bool measure_limits = false;
+  bool cancel_saving = false;
+  bool undo = false;
+  bool redo = false;
+  bool compare = false;  // begins, or ends
+  bool frame = false;
+  bool reset = false;
+};
+
+// What the panel's fields hold while they are typed into.
+struct PanelFields {
+  std::array<char, 1024> path{};
+  std::array<char, 1024> picture{"picture.png"};
+  std::array<int, 2> picture_size{1920, 1080};
+  int picture_samples = 256;
+  bool typing_path = false;  // the field of the path is to take the keys
+};
+
+// Pixels, of a window of that width.
+float panelWidth(float window_width);
+
+PanelWishes drawPanel(const PanelData& data, ViewerState& state, PanelFields& fields);
+
+// F1: the keys.
+void drawHelp(bool& shown);
+
+// --- The sections ----------------------------------------------------------------------------
+
+void drawPictureSection(const PanelData& data, ViewerState& state);
+void drawNoiseCurve(const NoiseHistory& noise, float goal);
+void drawAccuracySection(const PanelData& data, ViewerState& state, PanelWishes& wishes);
+void drawLightSection(const PanelData& data, ViewerState& state);
+void drawMaterialSection(const PanelData& data, ViewerState& state);
+void drawVariantSection(const PanelData& data, ViewerState& state, PanelWishes& wishes);
+void drawCameraSection(const PanelData& data, ViewerState& state, PanelWishes& wishes);
+void drawFileSection(const PanelData& data, PanelFields& fields, PanelWishes& wishes);
+void drawSceneSection(const PanelData& data);
+void drawEffectsSection(const PanelData& data);
+void drawDeviceSection(const PanelData& data);
+
+// A name and what it is, in two columns.
+void drawRow(const char* name, const std::string& value);
+
+}  // namespace glimt

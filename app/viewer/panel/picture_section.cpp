@@ -1,0 +1,50 @@
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/viewer/panel/panel.h"
+#include "renderer/core/wording.h"
+
+namespace glimt {
+namespace {
+
+std::string samplesText(const PictureStatus& status) {
+  if (status.samples == 0) return "first sample";
+  const std::string preview =
+      status.divisor > 1 ? fmt::format(", preview at 1/{}", status.divisor) : "";
+  return fmt::format("{}, {:.3g} a second{}", grouped(static_cast<std::uintmax_t>(status.samples)),
+                     status.sample_rate, preview);
+}
+
+std::string noiseText(const PictureStatus& status) {
+  if (!status.noise) return status.divisor > 1 ? "after the preview" : "known after 8 samples";
+  return fmt::format("{} ({} to {})", percent(status.noise->relative), percent(status.noise->lower),
+                     percent(status.noise->upper));
+}
+
+std::string timeLeftText(const PictureStatus& status, double goal) {
+  if (!status.noise) return "not known yet";
+  if (status.noise->upper <= goal) return "reached";
+  const double samples = std::max(status.noise->samplesFor(goal) - status.samples, 1.0);
+  return fmt::format("{}, {} more", duration(samples * status.secondsPerSample()),
+                     counted(static_cast<std::uintmax_t>(std::ceil(samples)), "sample"));
+}
+
+}  // namespace
+
+void drawPictureSection(const PanelData& data, ViewerState& state) {
+  const PictureStatus& status = data.status;
+  drawRow("size", fmt::format("{} x {}", data.size[0], data.size[1]));
+  drawRow("samples", samplesText(status));
+  drawRow("time", duration(status.seconds));
+  drawRow("noise now", noiseText(status));
+  float goal = 100 * state.noise_goal;
+  if (ImGui::SliderFloat("noise goal", &goal, 0.1f, 20, "%.2g%%", ImGuiSliderFlags_Logarithmic))
+    state.noise_goal = 0.01f * goal;
+  drawRow("time left", timeLeftText(status, state.noise_goal));
+  drawNoiseCurve(data.noise, state.noise_goal);
+}
+
+}  // namespace glimt

@@ -1,0 +1,161 @@
+#include "app/viewer/window_picture.h"
+
+#include <utility>
+
+namespace glimt {
+namespace {
+
+// How long everything is left alone before the picture is drawn in full.
+constexpr double kRestSeconds = 0.2;
+
+// Nobody sees the noise of more: the viewer then rests.
+constexpr int kMostSamples = 65536;
+
+bool sameCamera(const Camera& a, const Camera& b) {
+  return a.position == b.position && a.target == b.target && a.up == b.up &&
+         a.vertical_fov == b.vertical_fov && a.orthographic_height == b.orthographic_height &&
+         a.aperture_radius == b.aperture_radius && a.focus_distance == b.focus_distance &&
+         a.aperture_blades == b.aperture_blades;
+}
+
+// What light does in both is the same: they differ at most in how it is displayed.
+bool sameLight(const View& a, const View& b) {
+  Look displayed = a.look;
+  displayed.exposure = b.look.exposure;
+  displayed.tone = b.look.tone;
+  return a.scene == b.scene && displayed == b.look;
+}
+
+}  // namespace
+
+void WindowPicture::ask(const View& view, const Camera& camera, std::array<int, 2> size,
+                        std::uint64_t serial) {
+  const bool same = sameLight(view, view_) && sameCamera(camera, camera_) && size == size_;
+  view_ = view;
+  camera_ = camera;
+  size_ = size;
+  asked_serial_ = serial;
+  if (same) return;
+  changed_ = true;
+  since_change_ = {};
+}
+
+void WindowPicture::drop() {
+  renderer_.reset();
+  drawn_ = {};
+  stage_ = Stage::none;
+  changed_ = false;
+}
+
+void WindowPicture::work(double seconds) {
+  begin();
+  const Stopwatch frame;
+  while (renderer_ && frame.seconds() < seconds && !finished()) {
+    const int before = samples();
+    const Stopwatch clock;
+    renderer_->advance(seconds - frame.seconds(), before + 1);
+    work_seconds_ += clock.seconds();
+    sample_seconds_ += clock.seconds();
+    if (samples() == before) continue;
+    preview_scale_.learn(pixels(), sample_seconds_);
+    sample_seconds_ = 0;
+    if (before == 0) break;  // it is waited for
+  }
+}
+
+void WindowPicture::begin() {
+  const bool has_sample = samples() > 0;
+  if (changed()) {
+    // A hand that never rests would see nothing if it could end previews before their first sample.
+    const bool same_scene = view_.scene == drawn_.scene;
+    if (stage_ == Stage::preview && !has_sample && same_scene) return;
+    changed_ = false;
+    begun_serial_ = asked_serial_;
+    takeView();
+    stage_ = renderer_ ? Stage::preview : Stage::none;
+    const double full = static_cast<double>(size_[0]) * size_[1];
+    if (renderer_) start(preview_scale_.divisorFor(full));
+  } else if (stage_ == Stage::preview && has_sample && since_change_.seconds() > kRestSeconds) {
+    sharpen();
+  }
+}
+
+// A sample of the whole may take seconds: what is between it and a small preview is quick to see,
+// and all of it together takes a third of that.
+void WindowPicture::sharpen() {
+  const int next = divisor_ / 2;
+  if (next > 1) return start(next);
+  stage_ = Stage::full;
+  if (divisor_ > 1) start(1);
+}
+
+// Gives the renderer the scene and the look that are asked for.
+void WindowPicture::takeView() {
+  const Look& look = view_.look;
+  const View before = std::exchange(drawn_, view_);
+  if (!view_.scene) {
+    renderer_.reset();
+    scene_ = {};
+    return;
+  }
+  if (!renderer_ || before.scene != view_.scene) {
+    renderer_.reset();  // two would take twice the memory
+    scene_ = view_.scene->scene;
+    scene_.camera = camera_;
+    apply(look, scene_);
+    RenderSettings settings = settings_;
+    settings.bounces = look.bounces;
+    settings.width = settings.height = 1;
+    renderer_.emplace(context_, scene_, view_.scene->tree, settings);
+    return;
+  }
+  if (!sameLight({before.scene, look}, {before.scene, before.look})) {
+    apply(look, scene_);
+    renderer_->update(scene_, view_.scene->tree);
+  }
+  if (look.bounces != before.look.bounces) renderer_->setLimits({look.bounces, settings_.clamp});
+}
+
+void WindowPicture::start(int divisor) {
+  const auto reduced = [&](int side) { return (side + divisor - 1) / divisor; };
+  renderer_->resize(reduced(size_[0]), reduced(size_[1]));
+  renderer_->setCamera(camera_);
+  divisor_ = divisor;
+  work_seconds_ = 0;
+  sample_seconds_ = 0;
+  shown_samples_ = 0;
+}
+
+double WindowPicture::pixels() const {
+  return static_cast<double>(size_[0]) * size_[1] / divisor_ / divisor_;
+}
+
+bool WindowPicture::finished() const {
+  return !changed() && (!renderer_ || (stage_ == Stage::full && samples() >= kMostSamples));
+}
+
+bool WindowPicture::hasNews() const {
+  return samples() > 0 && (samples() != shown_samples_ || shown_exposure_ != view_.look.exposure ||
+                           shown_tone_ != view_.look.tone);
+}
+
+DisplayImage WindowPicture::frame() {
+  shown_samples_ = samples();
+  shown_exposure_ = view_.look.exposure;
+  shown_tone_ = view_.look.tone;
+  return renderer_->display(shown_exposure_, shown_tone_);
+}
+
+PictureStatus WindowPicture::status() {
+  PictureStatus status;
+  if (!renderer_) return status;
+  status.samples = samples();
+  status.divisor = divisor_;
+  status.seconds = work_seconds_;
+  status.sample_rate = status.samples > 0 && work_seconds_ > 0 ? status.samples / work_seconds_ : 0;
+  if (stage_ == Stage::full) status.noise = renderer_->noise();
+  status.statistics = renderer_->statistics();
+  return status;
+}
+
+}  // namespace glimt

@@ -1,0 +1,187 @@
+#!/bin/sh
+# Changing a scene in the viewer: pick, edit, undo, variants, saving, reloading, opening. The panel is
+# used as a hand does, by the places of its widgets. usage: edit_test.sh GLIMT
+set -eu
+
+glimt=$1
+screen=640x560
+enough=8
+most_same=0.0015
+. "$(dirname -- "$0")/viewer.sh"
+
+write_scene() {
+  # A triangle of three corners: floats -1, 1 and 0.
+  minus='\000\000\200\277'
+  plus='\000\000\200\077'
+  zero='\000\000\000\000'
+  # shellcheck disable=SC2059  # the format is what is written
+  printf "$minus$minus$zero$plus$minus$zero$zero$plus$zero" >"$folder/two.bin"
+  cat >"$folder/two.gltf" <<'END'
+{ "asset": { "version": "2.0" }, "scene": 0, "scenes": [ { "nodes": [0] } ],
+  "extensionsUsed": [ "KHR_materials_variants" ],
+  "extensions": { "KHR_materials_variants": { "variants": [ { "name": "night" } ] } },
+  "nodes": [ { "mesh": 0 } ],
+  "meshes": [ { "primitives": [ { "attributes": { "POSITION": 0 }, "material": 0,
+    "extensions": { "KHR_materials_variants": { "mappings": [ { "material": 1, "variants": [0] } ] } } } ] } ],
+  "materials": [
+    { "name": "red", "doubleSided": true, "pbrMetallicRoughness": { "baseColorFactor": [0.8, 0.1, 0.1, 1], "metallicFactor": 0 } },
+    { "name": "blue", "doubleSided": true, "pbrMetallicRoughness": { "baseColorFactor": [0.1, 0.1, 0.8, 1], "metallicFactor": 0 } } ],
+  "buffers": [ { "uri": "two.bin", "byteLength": 36 } ],
+  "bufferViews": [ { "buffer": 0, "byteLength": 36 } ],
+  "accessors": [ { "bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+    "min": [-1, -1, 0], "max": [1, 1, 0] } ] }
+END
+  write_scene_file 1
+}
+
+# write_scene_file STRENGTH, in one go, as editors do that take care.
+write_scene_file() {
+  cat >"$folder/new" <<END
+{ "model": "two.gltf", "environment": { "image": "studio", "strength": $1 },
+  "camera": { "position": [-0.6, 0, 4], "target": [-0.6, 0, 0] },
+  "cameras": { "far": { "position": [0, 0, 9], "target": [0, 0, 0] } } }
+END
+  mv "$folder/new" "$folder/two.scene.json"
+}
+
+start_viewer() {
+  cd "$folder"
+  "$glimt" two.scene.json --size 640x560 --bounces 1 2>errors &
+  viewer=$!
+  wait_for "the window" find_window
+  wait_for "the picture to settle" settled
+  press Tab
+}
+
+# Presses the left button at a place in the window.
+click() {
+  xdotool mousemove --window "$window" "$1" "$2"
+  sleep 0.2 # two clicks in one place would be a double click
+  xdotool click 1
+  sleep 0.3
+}
+
+# How often the scene was saved.
+saves() {
+  grep -c '^glimt: saved .*scene.json' errors || true
+}
+
+saved_again() {
+  [ "$(saves)" -gt "$count" ]
+}
+
+# Saves the scene, which has to hold the text, or with a third argument not.
+expect_saved() {
+  count=$(saves)
+  press ctrl+s
+  wait_for "the scene to be saved" saved_again
+  if grep -q "$1" two-edited.scene.json; then held=yes; else held=''; fi
+  [ "$held" = "${3-yes}" ] || fail "$2: $(cat two-edited.scene.json)"
+  echo "$2"
+}
+
+test_pick_and_undo() {
+  click 420 330
+  expect_saved '"metallic"' "a click alone changes nothing" ''
+  click 150 "$metallic_y"
+  expect_saved '"metallic"' "a slider changes the material that was clicked"
+  grep -q '"red"' two-edited.scene.json || fail "another material was changed"
+  press ctrl+z
+  expect_saved '"metallic"' "Ctrl-Z takes it back" ''
+  press ctrl+y
+  expect_saved '"metallic"' "Ctrl-Y does it again"
+}
+
+test_same_as_render() {
+  press Tab
+  save two.png
+  "$glimt" render two-edited.scene.json --quiet --spp 16 -o rendered.png
+  expect_same rendered.png two.png "glimt render of the saved scene gives the window's picture"
+}
+
+test_variant() {
+  press Tab
+  click "$variant_x" "$variant_y"
+  expect_saved '"variant": "night"' "a button chooses the variant"
+  press Tab
+  expect_restart "the variant"
+  save two-2.png
+  expect_different two-2.png two.png "the variant is another picture"
+}
+
+test_reload() {
+  write_scene_file 3
+  expect_restart "the file was changed"
+  save two-3.png
+  expect_different two-3.png two-2.png "a changed file is shown"
+}
+
+told_of() {
+  grep -q "$1" errors
+}
+
+test_bad_file() {
+  echo '{ "model": 7 }' >"$folder/two.scene.json"
+  wait_for "the message" told_of 'two.scene.json:1: model must be'
+  save two-4.png
+  expect_same two-4.png two-3.png "a bad file leaves the old scene standing"
+}
+
+# Cameras by number, after which the picture is another one.
+test_camera() {
+  press 1
+  expect_restart "the key 1"
+  save two-5.png
+  expect_different two-5.png two-4.png "a number chooses the file's camera"
+}
+
+test_open() {
+  sed 's/"red"/"other"/' two.gltf >other.gltf
+  press ctrl+o
+  sleep 0.5
+  xdotool type --delay 20 "$folder/other.gltf"
+  xdotool key Return
+  wait_for "the other scene" other_shown
+  echo "a typed path opens another scene"
+}
+
+other_shown() {
+  title | grep -q '^other - [1-9]'
+}
+
+test_escape() {
+  press Escape
+  wait_for "the viewer to end" gone
+  wait "$viewer" || fail "Esc ended the viewer with status $?"
+  viewer=''
+}
+
+# While a large scene is read.
+test_quit_while_loading() {
+  awk 'BEGIN { for (i = 0; i < 300000; ++i) print "v", i % 600, int(i / 600), i % 7
+               for (i = 1; i < 299000; ++i) print "f", i, i + 1, i + 600 }' >large.obj
+  "$glimt" view large.obj --size 160x120 2>errors &
+  viewer=$!
+  wait_for "the window" find_window
+  test_escape
+  echo "Esc ends the viewer while it loads"
+}
+
+# Places in the panel, in pixels.
+metallic_y=439
+variant_x=104
+variant_y=308
+
+write_scene
+start_display
+start_viewer
+test_pick_and_undo
+test_same_as_render
+test_variant
+test_reload
+test_bad_file
+test_camera
+test_open
+test_escape
+test_quit_while_loading
+echo "passed"
