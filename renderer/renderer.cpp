@@ -210,21 +210,20 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
-void Renderer::setMaterials(const Scene& scene) {
-  if (!isOver(*state_->tree, scene))
-    throw Error(ErrorKind::usage,
-                "the triangles are not where they were; make another renderer for this scene");
-  state_->tracer.setMaterials(scene, *state_->tree);
+void Renderer::setMaterials(const Scene& scene, MaterialChange change) {
+  if (change == MaterialChange::numbers) {
+    state_->tracer.setNumbers(scene, *state_->tree);
+  } else {
+    if (!isOver(*state_->tree, scene))
+      throw Error(ErrorKind::usage,
+                  "the triangles are not where they were; make another renderer for this scene");
+    state_->tracer.setMaterials(scene, *state_->tree);
+  }
   state_->restart();
 }
 
 void Renderer::setCamera(const Camera& camera) {
   state_->tracer.setCamera(camera);
-  state_->restart();
-}
-
-void Renderer::update(const Scene& scene, const Tree& tree) {
-  state_->tracer.update(scene, tree.get());
   state_->restart();
 }
 

@@ -74,6 +74,12 @@ class Tree {
 
 // --- Rendering -------------------------------------------------------------------------------
 
+// How a scene differs from one with the same triangles.
+enum class MaterialChange {
+  any,     // which triangle has which material, and the pictures on them; lights, environment
+  numbers  // only numbers and colours of materials, and the environment's but for its picture
+};
+
 struct RenderSettings {
   int width = 512;
   int height = 512;
@@ -151,7 +157,7 @@ class Renderer {
   Renderer(ContextHandle& context, const Scene& scene, const RenderSettings& settings,
            const WorkProgress& progress = {});
   // The same with a tree that is there already: that of the scene, or of one that differs from it
-  // only in what update() may change.
+  // only in its materials.
   Renderer(ContextHandle& context, const Scene& scene, const Tree& tree,
            const RenderSettings& settings, const WorkProgress& progress = {});
   Renderer(Renderer&&) noexcept;
@@ -160,18 +166,14 @@ class Renderer {
 
   // The same triangles with other materials, as in another variant of their file; lights,
   // environment and camera become those of `scene` too. The tree is kept, and so is every program
-  // that its effects do not change. Errors: usage, where a triangle is not where it was; else as
-  // the constructor's, after which the renderer is as it was.
-  void setMaterials(const Scene& scene);
+  // that its effects do not change. What is said to have changed only in numbers is not compared,
+  // and takes as long as materials are many, not triangles. Errors: usage, where a triangle is not
+  // where it was; else as the constructor's, after which the renderer is as it was.
+  void setMaterials(const Scene& scene, MaterialChange change = MaterialChange::any);
 
   // Starts the picture again.
   void setCamera(const Camera& camera);
   void resize(int width, int height);
-
-  // The same for the scene with other numbers and colours of its materials and its environment, and
-  // all else as it was: triangles, the pictures on them, names, alpha. `tree` is that of the scene.
-  // Compiles where it calls for other effects. Errors: input, as of the constructor.
-  void update(const Scene& scene, const Tree& tree);
 
   // The same with other limits, and with other random numbers. There can be a clamp only if
   // RenderSettings had one.

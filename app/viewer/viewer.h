@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "app/options.h"
+#include "app/picture_settings.h"
 #include "app/viewer/background_task.h"
 #include "app/viewer/beside_work.h"
 #include "app/viewer/canvas.h"

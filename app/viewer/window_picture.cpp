@@ -26,6 +26,11 @@ bool sameLight(const View& a, const View& b) {
   return a.scene == b.scene && displayed == b.look;
 }
 
+bool sameSurfaces(const Look& a, const Look& b) {
+  return a.materials == b.materials && a.environment_strength == b.environment_strength &&
+         a.environment_rotation == b.environment_rotation;
+}
+
 }  // namespace
 
 void WindowPicture::ask(const View& view, const Camera& camera, std::array<int, 2> size,
@@ -98,21 +103,23 @@ void WindowPicture::takeView() {
     scene_ = {};
     return;
   }
-  if (!renderer_ || before.scene != view_.scene) {
+  if (before.scene != view_.scene) scene_ = view_.scene->scene;
+  scene_.camera = camera_;
+  apply(look, scene_);
+  const bool same_triangles =
+      before.scene && before.scene->tree.shared() == view_.scene->tree.shared();
+  if (!renderer_ || !same_triangles) {
     renderer_.reset();  // two would take twice the memory
-    scene_ = view_.scene->scene;
-    scene_.camera = camera_;
-    apply(look, scene_);
     RenderSettings settings = settings_;
     settings.bounces = look.bounces;
     settings.width = settings.height = 1;
     renderer_.emplace(context_, scene_, view_.scene->tree, settings);
     return;
   }
-  if (!sameLight({before.scene, look}, {before.scene, before.look})) {
-    apply(look, scene_);
-    renderer_->update(scene_, view_.scene->tree);
-  }
+  if (before.scene != view_.scene)
+    renderer_->setMaterials(scene_);
+  else if (!sameSurfaces(look, before.look))
+    renderer_->setMaterials(scene_, MaterialChange::numbers);
   if (look.bounces != before.look.bounces) renderer_->setLimits({look.bounces, settings_.clamp});
 }
 

@@ -165,14 +165,19 @@ std::vector<Vec4> glossTable(bool with_sheen, const std::vector<float>& iors) {
   return texels;
 }
 
-gl::Texture makeGlossTexture(const gl::Device& device, const Scene& scene,
-                             const EffectSet& effects) {
+GlossContents glossContentsOf(const Scene& scene, const EffectSet& effects) {
   const std::array kTabulated{Effect::gloss,      Effect::mirror,    Effect::rough_glass,
                               Effect::thin_walls, Effect::clearcoat, Effect::sheen};
   const bool needed = std::any_of(kTabulated.begin(), kTabulated.end(),
                                   [&](Effect effect) { return has(effects, effect); });
-  if (!needed) return gl::Texture::floats(device.gl(), device.floatForm(), 1, 1, {Vec4(0)});
-  const std::vector<Vec4> texels = glossTable(has(effects, Effect::sheen), tabulatedIors(scene));
+  if (!needed) return {};
+  return {true, has(effects, Effect::sheen), tabulatedIors(scene)};
+}
+
+gl::Texture makeGlossTexture(const gl::Device& device, const GlossContents& contents) {
+  if (!contents.needed)
+    return gl::Texture::floats(device.gl(), device.floatForm(), 1, 1, {Vec4(0)});
+  const std::vector<Vec4> texels = glossTable(contents.with_sheen, contents.iors);
   const int width = static_cast<int>(GLOSS_TABLE_SIZE);
   const int height = static_cast<int>(texels.size()) / width;
   return gl::Texture::floats(device.gl(), device.floatForm(), width, height, texels);

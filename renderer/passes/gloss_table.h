@@ -33,8 +33,17 @@ std::size_t squareOfIor(const std::vector<float>& iors, float ior);
 // milliseconds, sheen some more.
 std::vector<Vec4> glossTable(bool with_sheen, const std::vector<float>& iors);
 
-// Of one texel where none of the effects calls for the table.
-gl::Texture makeGlossTexture(const gl::Device& device, const Scene& scene,
-                             const EffectSet& effects);
+// What the table of a scene is made of.
+struct GlossContents {
+  bool needed = false;  // whether any of the effects calls for it
+  bool with_sheen = false;
+  std::vector<float> iors;
+
+  bool operator==(const GlossContents&) const = default;
+};
+GlossContents glossContentsOf(const Scene& scene, const EffectSet& effects);
+
+// Of one texel where it is not needed.
+gl::Texture makeGlossTexture(const gl::Device& device, const GlossContents& contents);
 
 }  // namespace glimt

@@ -150,6 +150,19 @@ void PathTracer::use(const std::string& traversal) {
 
 void PathTracer::setMaterials(const Scene& scene, const SceneTree& tree) {
   SceneTextures textures(*device_, scene, tree, traversalNamed(traversal_).layout, forced_);
+  takeEffects(scene);
+  scene_ = std::move(textures);
+}
+
+void PathTracer::setNumbers(const Scene& scene, const SceneTree& tree) {
+  SceneTextures::Surfaces surfaces = scene_.surfacesOf(*device_, scene, tree, forced_);
+  takeEffects(scene);
+  scene_.take(std::move(surfaces), scene.environment);
+}
+
+// Begins again with the programs that the scene calls for; where one does not compile, with those
+// that were.
+void PathTracer::takeEffects(const Scene& scene) {
   const EffectSet before = std::exchange(effects_, withForced(effectsOf(scene), forced_));
   census_.forget();
   try {
@@ -160,18 +173,8 @@ void PathTracer::setMaterials(const Scene& scene, const SceneTree& tree) {
     restart();
     throw;
   }
-  scene_ = std::move(textures);
   accumulations_.setTransparent(has(effects_, Effect::transparent_background));
   camera_ = scene.camera;
-}
-
-void PathTracer::update(const Scene& scene, const SceneTree& tree) {
-  scene_.update(*device_, scene, tree, forced_);
-  effects_ = withCamera(withForced(effectsOf(scene), forced_), camera_);
-  accumulations_.setTransparent(has(effects_, Effect::transparent_background));
-  census_.forget();
-  restart();
-  compile({});
 }
 
 void PathTracer::setCamera(const Camera& camera) {

@@ -52,8 +52,8 @@ class PathTracer {
   // there yet is compiled. Errors: as the constructor's; all is as it was then.
   void setMaterials(const Scene& scene, const SceneTree& tree);
 
-  // Begins again with the scene's materials and environment; see Renderer::update().
-  void update(const Scene& scene, const SceneTree& tree);
+  // The same for a scene of which only numbers are others, see MaterialChange::numbers.
+  void setNumbers(const Scene& scene, const SceneTree& tree);
 
   // Compiles where the camera calls for other effects than the one before.
   void setCamera(const Camera& camera);
@@ -125,6 +125,7 @@ class PathTracer {
   using ProgramKey = std::tuple<std::string, Pass, unsigned long>;
   ProgramKey keyOf(Pass pass) const;
   gl::Program& program(Pass pass) { return programs_.at(keyOf(pass)); }
+  void takeEffects(const Scene& scene);
   void planStages();
   void planBounce(int bounce);
   bool marksEnded(int bounce) const;

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "renderer/bvh/node_layout.h"
 #include "renderer/core/error.h"
@@ -140,36 +141,39 @@ SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene, const
   triangle_count_ = scene.triangles.size();
   grid_origin_ = nodes.grid_origin;
   grid_cell_ = nodes.grid_cell;
-  takeLights(device, scene, bvh, effects);
-  environment_map_ = EnvironmentMap(device, scene.environment, effects);
+  take(surfacesOf(device, scene, tree, forced), scene.environment);
 }
 
-// What depends on how surfaces look, and on how bright everything is.
-void SceneTextures::takeLights(const gl::Device& device, const Scene& scene, const Bvh& bvh,
-                               const EffectSet& effects) {
-  const LightTable lights = buildLightTable(scene);
-  materials_ = makeDataTexture(device, packMaterials(scene, lights, atlas_), "materials");
-  lights_ = makeDataTexture(device, packLights(lights, bvh), "lights");
-  light_count_ = lights.entries.size();
-  gloss_table_ = makeGlossTexture(device, scene, effects);
-  light_shares_ = lightShares(scene, lights);
-  environment_radiance_ = scene.environment.radiance();
-  effects_ = effects;
-}
-
-void SceneTextures::update(const gl::Device& device, const Scene& scene, const SceneTree& tree,
-                           const EffectSet& forced) {
+SceneTextures::Surfaces SceneTextures::surfacesOf(const gl::Device& device, const Scene& scene,
+                                                  const SceneTree& tree,
+                                                  const EffectSet& forced) const {
   const EffectSet effects = withForced(effectsOf(scene), forced);
-  const auto changed = [&](Effect effect) { return has(effects, effect) != has(effects_, effect); };
-  if (changed(Effect::textures) || changed(Effect::vertex_colors))
-    attributes_ = makeDataTexture(device, packAttributes(scene, tree.bvh.order, effects),
-                                  "vertex attributes");
-  const bool lit_otherwise = changed(Effect::environment_map);
-  takeLights(device, scene, tree.bvh, effects);
-  if (lit_otherwise)
-    environment_map_ = EnvironmentMap(device, scene.environment, effects);
-  else
-    environment_map_.turn(scene.environment);
+  const LightTable lights = buildLightTable(scene);
+  Surfaces surfaces;
+  surfaces.materials = makeDataTexture(device, packMaterials(scene, lights, atlas_), "materials");
+  surfaces.lights = makeDataTexture(device, packLights(lights, tree.bvh), "lights");
+  surfaces.light_count = lights.entries.size();
+  surfaces.light_shares = lightShares(scene, lights);
+  surfaces.gloss = glossContentsOf(scene, effects);
+  if (!gloss_ || surfaces.gloss != *gloss_)
+    surfaces.gloss_table = makeGlossTexture(device, surfaces.gloss);
+  surfaces.environment_is_map = has(effects, Effect::environment_map);
+  if (!gloss_ || surfaces.environment_is_map != environment_is_map_)
+    surfaces.environment_map = EnvironmentMap(device, scene.environment, effects);
+  return surfaces;
+}
+
+void SceneTextures::take(Surfaces surfaces, const Environment& environment) {
+  materials_ = std::move(surfaces.materials);
+  lights_ = std::move(surfaces.lights);
+  light_count_ = surfaces.light_count;
+  light_shares_ = surfaces.light_shares;
+  gloss_ = std::move(surfaces.gloss);
+  if (surfaces.gloss_table) gloss_table_ = std::move(*surfaces.gloss_table);
+  environment_is_map_ = surfaces.environment_is_map;
+  if (surfaces.environment_map) environment_map_ = std::move(*surfaces.environment_map);
+  environment_map_.turn(environment);
+  environment_radiance_ = environment.radiance();
 }
 
 void SceneTextures::bind(gl::Program& program) const {

@@ -1,10 +1,15 @@
 // A scene and its tree as textures.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "renderer/core/effects.h"
 #include "renderer/gl/device.h"
 #include "renderer/gl/program.h"
 #include "renderer/passes/environment_map.h"
+#include "renderer/passes/gloss_table.h"
 #include "renderer/passes/scene_tree.h"
 #include "renderer/passes/texture_atlas.h"
 #include "renderer/scene/scene.h"
@@ -22,9 +27,22 @@ class SceneTextures {
       : SceneTextures(device, scene, buildSceneTree(scene, device.maxTextureSize(), progress),
                       layout) {}
 
-  // Takes the scene's materials and environment; see Renderer::update().
-  void update(const gl::Device& device, const Scene& scene, const SceneTree& tree,
-              const EffectSet& forced = {});
+  // What depends on how surfaces look. What takes long to make is left out where it is as it was.
+  struct Surfaces {
+    gl::Texture materials;
+    gl::Texture lights;
+    std::size_t light_count = 0;
+    Vec3 light_shares{0};  // see light_shares.h
+    GlossContents gloss;
+    std::optional<gl::Texture> gloss_table;
+    bool environment_is_map = false;
+    std::optional<EnvironmentMap> environment_map;
+  };
+
+  // Those of a scene that differs from this one as MaterialChange::numbers says.
+  Surfaces surfacesOf(const gl::Device& device, const Scene& scene, const SceneTree& tree,
+                      const EffectSet& forced = {}) const;
+  void take(Surfaces surfaces, const Environment& environment);
 
   // Sets every uniform that speaks of the scene, for the program in use.
   void bind(gl::Program& program) const;
@@ -36,9 +54,6 @@ class SceneTextures {
   double buildSeconds() const { return build_seconds_; }
 
  private:
-  void takeLights(const gl::Device& device, const Scene& scene, const Bvh& bvh,
-                  const EffectSet& effects);
-
   gl::Texture nodes_;
   gl::Texture triangles_;
   gl::Texture normals_;
@@ -48,7 +63,7 @@ class SceneTextures {
   gl::Texture lights_;
   gl::Texture punctual_lights_;
   gl::Texture gloss_table_;
-  EffectSet effects_;
+  std::optional<GlossContents> gloss_;  // of the table
   std::size_t node_count_ = 0;
   std::size_t stack_size_ = 0;
   std::size_t nodes_per_copy_ = 0;
@@ -60,6 +75,7 @@ class SceneTextures {
   Vec3 light_shares_{0};  // see light_shares.h
   Vec3 environment_radiance_{0};
   EnvironmentMap environment_map_;
+  bool environment_is_map_ = false;
   double build_seconds_ = 0;
 };
 

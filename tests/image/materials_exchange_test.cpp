@@ -18,6 +18,17 @@ Scene boxOf(const Material& material) {
   return scene;
 }
 
+// A ball under a sky that is brighter on one side.
+Scene ballUnderSky(float strength, float rotation) {
+  Scene scene;
+  addSphere(scene, 0.4f, 1, add(scene, lambert("ball", Vec3(0.6f))));
+  scene.environment.image = {2, 1, {Vec3(0.1f), Vec3(1)}};
+  scene.environment.strength = strength;
+  scene.environment.rotation = rotation;
+  scene.camera.position = Vec3(0, 0, 2);
+  return scene;
+}
+
 Image samplesOf(Renderer& renderer) {
   while (renderer.samples() < 4) renderer.renderSample();
   return renderer.radiance();
@@ -36,6 +47,7 @@ TEST_CASE("with exchanged materials the picture is that of a renderer of their o
   Scene seen = boxOf(coated);
   seen.transparent_background = true;
   const std::vector<Scene> scenes{boxOf(coated), seen, boxOf(glass), plain};
+  const MaterialChange change = GENERATE(MaterialChange::any, MaterialChange::numbers);
   std::vector<Image> own;
   for (const Scene& scene : scenes) own.push_back(render(scene, settingsFor(24, 3), 4));
   ContextHandle context = createOffscreenContext(Backend::egl, 2);
@@ -43,10 +55,23 @@ TEST_CASE("with exchanged materials the picture is that of a renderer of their o
   samplesOf(renderer);
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     CAPTURE(i);
-    renderer.setMaterials(scenes[i]);
+    renderer.setMaterials(scenes[i], change);
     const Image exchanged = samplesOf(renderer);
     CHECK(identical(exchanged, own[i]));
     CHECK(exchanged.alpha == own[i].alpha);
+  }
+}
+
+TEST_CASE("a sky that is turned, put out and lit again is that of a renderer of its own") {
+  const std::vector<Scene> scenes{ballUnderSky(1, 70), ballUnderSky(0, 70), ballUnderSky(2.5f, 20)};
+  std::vector<Image> own;
+  for (const Scene& scene : scenes) own.push_back(render(scene, settingsFor(24, 2), 4));
+  ContextHandle context = createOffscreenContext(Backend::egl, 2);
+  Renderer renderer(context, ballUnderSky(1, 0), settingsFor(24, 2));
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    CAPTURE(i);
+    renderer.setMaterials(scenes[i], MaterialChange::numbers);
+    CHECK(identical(samplesOf(renderer), own[i]));
   }
 }
 
