@@ -44,7 +44,7 @@ wait_for() {
 # --- A scene, a display, the viewer ---------------------------------------------------------------
 
 start_display() {
-  Xvfb -displayfd 3 -screen 0 "${screen}x24" -nolisten tcp 3>"$folder/display" >/dev/null 2>&1 &
+  Xvfb -displayfd 3 -screen 0 "${screen}x24" -nolisten tcp -noreset 3>"$folder/display" >/dev/null 2>&1 &
   server=$!
   wait_for "Xvfb" test -s "$folder/display"
   DISPLAY=:$(cat "$folder/display")
@@ -67,12 +67,13 @@ progress() {
   title | tr -d , | sed -n 's|.* - \([0-9]*\) samples\{0,1\} \([0-9]*\)[.0-9]* samples/s - glimt$|\1 \2|p'
 }
 
-# Enough samples to compare pictures by, and more than can be made between two looks at the title.
+# Enough samples to compare pictures by, and more than can be made between two looks at the title. That
+# title's are $samples; it may be behind the picture, but as long as that goes on it never says fewer.
 settled() {
   kill -0 "$viewer" 2>/dev/null || fail "the viewer ended"
   # shellcheck disable=SC2046  # words are what is wanted
   set -- $(progress)
-  [ $# = 2 ] && [ "$1" -ge "$enough" ] && [ "$1" -ge $((2 * $2)) ]
+  [ $# = 2 ] && [ "$1" -ge "$enough" ] && [ "$1" -ge $((2 * $2)) ] && samples=$1
 }
 
 fewer_than() {
@@ -91,7 +92,7 @@ save() {
   wait_for "the picture to settle" settled
   press s
   wait_for "$1" saved "$1"
-  samples=$(sed -n "s/^glimt: saved $1, \([0-9,]*\) samples\{0,1\}$/\1/p" errors | tr -d ,)
+  grep "^glimt: saved $1," errors
 }
 
 # After what should start the picture again.
