@@ -17,9 +17,10 @@ class Canvas {
   void setOutline(const Outline& outline);
   void hideOutline() { outlined_ = false; }
 
-  // Between Gui::beginFrame() and endFrame(). `divider` is the share of the width that the picture
-  // beside takes, where there is one.
-  void draw(float divider) const;
+  // Between Gui::beginFrame() and endFrame(). From `left`, a share of the window's width, to the
+  // right edge; a picture of another shape is centred there, as high as the window. `divider` is
+  // the share of that which the picture beside takes, where there is one.
+  void draw(float left, float divider) const;
 
   bool empty() const { return picture_.empty(); }
   bool comparing() const { return comparing_; }
@@ -28,6 +29,7 @@ class Canvas {
   GuiTexture picture_;
   GuiTexture beside_;
   GuiTexture outline_;
+  float aspect_ = 1;  // of the picture, width / height
   bool comparing_ = false;
   bool outlined_ = false;
 };

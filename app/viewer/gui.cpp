@@ -36,7 +36,9 @@ void setStyle(float scale) {
   style.WindowBorderSize = 0;
   style.WindowPadding = {12, 10};
   style.ItemSpacing = {8, 5};
-  style.Colors[ImGuiCol_WindowBg] = {0.09f, 0.09f, 0.10f, 0.94f};
+  style.CellPadding = {8, 3};
+  style.Colors[ImGuiCol_WindowBg] = {0.09f, 0.09f, 0.10f, 1};
+  style.Colors[ImGuiCol_TextDisabled] = {0.62f, 0.63f, 0.66f, 1};
   style.Colors[ImGuiCol_Header] = {0.18f, 0.19f, 0.22f, 1};
   style.Colors[ImGuiCol_FrameBg] = {0.19f, 0.20f, 0.23f, 1};
   style.Colors[ImGuiCol_Button] = {0.22f, 0.28f, 0.38f, 1};

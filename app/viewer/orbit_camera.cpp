@@ -116,10 +116,10 @@ void OrbitCamera::frame(const Bounds& box, float aspect) {
   place();
 }
 
-void OrbitCamera::setLens(float vertical_fov, float aperture_radius, float focus_distance) {
-  camera_.vertical_fov = vertical_fov;
-  camera_.aperture_radius = aperture_radius;
-  camera_.focus_distance = focus_distance;
+void OrbitCamera::setLens(const Lens& lens) {
+  camera_.vertical_fov = lens.vertical_fov;
+  camera_.aperture_radius = lens.aperture_radius;
+  camera_.focus_distance = lens.focus_distance;
 }
 
 void OrbitCamera::place() {

@@ -11,6 +11,13 @@ namespace glimt {
 // box's centre, if the centre is in front of the camera.
 Camera withTargetAtModel(const Camera& camera, const Bounds& model);
 
+// What of a camera does not depend on where it is; see Camera.
+struct Lens {
+  float vertical_fov = 0;  // degrees
+  float aperture_radius = 0;
+  float focus_distance = 0;
+};
+
 // Turns about `up` of the camera that it starts with. Drags are in picture heights, to the right
 // and downwards, and the picture follows them.
 class OrbitCamera {
@@ -38,8 +45,8 @@ class OrbitCamera {
   // Moves along its view until the box fills a picture of that aspect, width / height.
   void frame(const Bounds& box, float aspect);
 
-  // The lens, and how wide the view is; where the camera is stays.
-  void setLens(float vertical_fov, float aperture_radius, float focus_distance);
+  // Where the camera is stays.
+  void setLens(const Lens& lens);
 
   // Back to the start, bit for bit.
   void reset();

@@ -145,7 +145,7 @@ void RenderThread::publish(const PictureRequest& request, WindowPicture& picture
   bool told = false;
   if (news && complete && due) {
     PictureFrame frame{
-        picture.frame(), request.beside ? beside.frame() : DisplayImage(),
+        picture.frame(), picture.size(), request.beside ? beside.frame() : DisplayImage(),
         std::min(picture.serial(), request.beside ? beside.serial() : request.serial),
         picture.full()};
     const std::lock_guard lock(mutex_);

@@ -29,9 +29,10 @@ struct PictureRequest {
 
 struct PictureFrame {
   DisplayImage image;
-  DisplayImage beside;       // empty where nothing is compared
-  std::uint64_t serial = 0;  // of the latest request that it answers
-  bool full = false;         // not a preview
+  std::array<int, 2> size{1, 1};  // that was asked for; the image is smaller while it is a preview
+  DisplayImage beside;            // empty where nothing is compared
+  std::uint64_t serial = 0;       // of the latest request that it answers
+  bool full = false;              // not a preview
 };
 
 // A line for people. A failure is one that they have to know of.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/message.h"
@@ -120,7 +121,7 @@ void Viewer::takeResults() {
 }
 
 void Viewer::ask() {
-  const std::array<int, 2> size = window_.framebufferSize();
+  const std::array<int, 2> size = pictureSize();
   const bool rest = window_.minimized();
   if (size != request_.size || rest != request_.rest) asked_ = true;
   if (!asked_) return;
@@ -137,13 +138,14 @@ void Viewer::ask() {
 
 void Viewer::draw() {
   gui_.beginFrame();
-  canvas_.draw(state_.divider);
-  drawDivider();
+  moveDivider();
+  canvas_.draw(pictureLeft(), state_.divider);
   const Look before = state_.look;
   const std::optional<std::size_t> selected = state_.material;
   PanelWishes wishes;
   if (state_.panel) {
     const PanelData data{scene_.get(),
+                         camera_.camera(),
                          status_,
                          renderer_.context(),
                          options_.record,
@@ -177,11 +179,10 @@ void Viewer::draw() {
   fulfil(wishes);
 }
 
-void Viewer::drawDivider() {
-  if (!canvas_.comparing()) return;
+void Viewer::moveDivider() {
+  if (!canvas_.comparing() || !dragging_divider_) return;
   const ImGuiIO& io = ImGui::GetIO();
-  if (!dragging_divider_) return;
-  state_.divider = std::clamp(io.MousePos.x / io.DisplaySize.x, 0.02f, 0.98f);
+  state_.divider = std::clamp(inPicture({io.MousePos.x / io.DisplaySize.x, 0}).x, 0.02f, 0.98f);
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) dragging_divider_ = false;
 }
 
@@ -189,9 +190,10 @@ void Viewer::drawDivider() {
 void Viewer::drawNotice() {
   const double lasts = message_is_failure_ ? kFailureSeconds : kMessageSeconds;
   if (since_message_.seconds() > lasts) message_.clear();
-  if (!loading_ && message_.empty() && !(scene_ && canvas_.empty())) return;
+  const bool preparing = scene_ && (canvas_.empty() || (beside_ && !canvas_.comparing()));
+  if (!loading_ && message_.empty() && !preparing) return;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const float left = state_.panel ? panelWidth(size.x) : 0;
+  const float left = pictureLeft() * size.x;
   ImGui::SetNextWindowPos({0.5f * (left + size.x), size.y - 12}, ImGuiCond_Always, {0.5f, 1});
   ImGui::SetNextWindowSizeConstraints({0, 0}, {std::max(size.x - left - 24, 100.0f), size.y});
   ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
@@ -199,6 +201,7 @@ void Viewer::drawNotice() {
                            ImGuiWindowFlags_NoNav;
   // What can only be read does not keep the mouse from the picture.
   if (!loading_) flags |= ImGuiWindowFlags_NoInputs;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   if (ImGui::Begin("notice", nullptr, flags)) {
     if (!message_.empty()) {
       ImGui::PushTextWrapPos(std::max(size.x - left - 60, 80.0f));
@@ -215,17 +218,24 @@ void Viewer::drawNotice() {
         ImGui::SameLine();
         if (ImGui::Button("Cancel")) loading_->cancel();
       }
-    } else if (scene_ && canvas_.empty()) {
-      ImGui::TextUnformatted("preparing the first picture");
+    } else if (preparing) {
+      ImGui::TextUnformatted(canvas_.empty() ? "preparing the first picture"
+                                             : "preparing the comparison");
     }
   }
   ImGui::End();
+  ImGui::PopStyleVar();
 }
 
 void Viewer::fulfil(const PanelWishes& wishes) {
   if (wishes.open) open(*wishes.open);
   if (wishes.variant) chooseVariant(*wishes.variant);
   if (wishes.camera) chooseCamera(*wishes.camera);
+  if (wishes.lens) {
+    camera_.setLens(*wishes.lens);
+    asked_ = true;
+  }
+  if (wishes.environment) chooseEnvironment(*wishes.environment);
   if (wishes.save_picture) savePicture(*wishes.save_picture);
   if (wishes.save_scene) saveScene();
   if (wishes.copy_command) copyCommand();
@@ -260,8 +270,28 @@ void Viewer::tell(const std::string& text, bool failure) {
   say(text);
 }
 
-float Viewer::aspect() const {
+// The panel's share of the window's width. A narrow window has no room for both: there it lies on
+// the picture.
+float Viewer::pictureLeft() const {
+  const auto width = static_cast<float>(window_.size()[0]);
+  const float panel = state_.panel ? panelWidth(width) : 0;
+  return 2 * panel < width ? panel / width : 0;
+}
+
+std::array<int, 2> Viewer::pictureSize() const {
   const auto [width, height] = window_.framebufferSize();
+  const long columns = std::lround(static_cast<float>(width) * (1 - pictureLeft()));
+  return {std::max(static_cast<int>(columns), 1), height};
+}
+
+// A place in the window, as shares of the picture's width and height.
+Vec2 Viewer::inPicture(Vec2 at) const {
+  const float left = pictureLeft();
+  return {(at.x - left) / (1 - left), at.y};
+}
+
+float Viewer::aspect() const {
+  const auto [width, height] = pictureSize();
   return static_cast<float>(width) / static_cast<float>(height);
 }
 

@@ -59,7 +59,7 @@ class Viewer final : private WindowListener {
   void turnTable();
   void ask();
   void draw();
-  void drawDivider();
+  void moveDivider();
   void drawNotice();
   void fulfil(const PanelWishes& wishes);
   void updateTitle();
@@ -70,6 +70,7 @@ class Viewer final : private WindowListener {
   void remember(const LoadedScene& loaded);
   void chooseVariant(const std::string& variant);
   void chooseCamera(std::size_t index);
+  void chooseEnvironment(const std::string& name);
   void frame();
   void step(const Look& look);
   void compare();
@@ -80,6 +81,9 @@ class Viewer final : private WindowListener {
   void tell(const std::string& text, bool failure = false);
   BesidePicture besidePicture(std::array<int, 2> size) const;
   std::optional<Vec3> pointAt(Vec2 at) const;
+  float pictureLeft() const;
+  std::array<int, 2> pictureSize() const;
+  Vec2 inPicture(Vec2 at) const;
   float aspect() const;
 
   Window& window_;

@@ -91,6 +91,7 @@ void Viewer::show(std::shared_ptr<const LoadedScene> loaded) {
   limits_.reset();
   noise_.clear();
   asked_ = true;
+  frames_wanted_ = 3;
 }
 
 // What was opened, and what there is to say about it.

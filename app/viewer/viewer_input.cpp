@@ -40,7 +40,7 @@ void Viewer::zoom(float steps, Vec2 at) noexcept {
 
 std::optional<Vec3> Viewer::pointAt(Vec2 at) const {
   if (!scene_) return {};
-  const Ray ray = rayThrough(camera_.camera(), at, aspect());
+  const Ray ray = rayThrough(camera_.camera(), inPicture(at), aspect());
   const std::optional<Pick> hit = pick(scene_->scene, scene_->tree, ray);
   if (!hit) return {};
   return ray.origin + hit->distance * ray.direction;
@@ -48,7 +48,7 @@ std::optional<Vec3> Viewer::pointAt(Vec2 at) const {
 
 void Viewer::click(Vec2 at) noexcept {
   if (!scene_) return;
-  const Ray ray = rayThrough(camera_.camera(), at, aspect());
+  const Ray ray = rayThrough(camera_.camera(), inPicture(at), aspect());
   const std::optional<Pick> hit = pick(scene_->scene, scene_->tree, ray);
   state_.material.reset();
   if (hit) state_.material = scene_->scene.triangles[hit->triangle].material;
@@ -64,16 +64,20 @@ void Viewer::doubleClick(Vec2 at) noexcept {
 }
 
 bool Viewer::covered(Vec2 at) noexcept {
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  if (canvas_.comparing() && std::abs(at.x - state_.divider) * size.x < kDividerReach) {
+  const auto width = static_cast<float>(window_.size()[0]);
+  const float from_divider = (inPicture(at).x - state_.divider) * (1 - pictureLeft()) * width;
+  if (canvas_.comparing() && std::abs(from_divider) < kDividerReach) {
     dragging_divider_ = true;
     return true;
   }
-  if (state_.panel && at.x * size.x < panelWidth(size.x)) return true;
+  if (state_.panel && at.x * width < panelWidth(width)) return true;
   return ImGui::GetIO().WantCaptureMouse;
 }
 
 void Viewer::open(const std::filesystem::path& dropped) noexcept {
+  const std::string extension = dropped.extension().string();
+  if (scene_ && (extension == ".hdr" || extension == ".exr"))
+    return chooseEnvironment(dropped.string());
   load({dropped, {"", options_.environment}});
 }
 
@@ -140,6 +144,16 @@ void Viewer::chooseCamera(std::size_t index) {
   camera_ =
       OrbitCamera(withTargetAtModel(scene_->scene.cameras[index].camera, boundsOf(scene_->scene)));
   asked_ = true;
+}
+
+// One that is not the file's has nothing of the old one.
+void Viewer::chooseEnvironment(const std::string& name) {
+  if (!scene_) return;
+  SceneChoice choice = scene_->choice;
+  choice.settings.variant = state_.look.variant;
+  choice.settings.environment = {};
+  if (!name.empty()) choice.settings.environment.image = name;
+  load(choice);
 }
 
 // What is selected, or everything.

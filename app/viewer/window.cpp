@@ -158,21 +158,18 @@ void Window::installCallbacks() {
 }
 
 Vec2 Window::shareOf(Vec2 position) const {
-  int width = 0, height = 0;
-  glfwGetWindowSize(window_.get(), &width, &height);
-  return position / Vec2(std::max(width, 1), std::max(height, 1));
+  const auto [width, height] = size();
+  return position / Vec2(width, height);
 }
 
 void Window::onCursor(Vec2 position) {
   active_ = true;
-  int width = 0, height = 0;
-  glfwGetWindowSize(window_.get(), &width, &height);
   // Not glfwGetCursorPos(), which is ahead of the events.
   const Vec2 move = position - cursor_.value_or(position);
   cursor_ = position;
   if (listener_ == nullptr || move == Vec2(0) || drag_ == Drag::none) return;
   dragged_ += std::abs(move.x) + std::abs(move.y);
-  const Vec2 drag = move / static_cast<float>(std::max(height, 1));
+  const Vec2 drag = move / static_cast<float>(size()[1]);
   if (drag_ == Drag::orbit) listener_->orbit(drag);
   if (drag_ == Drag::pan) listener_->pan(drag);
   if (drag_ == Drag::light) listener_->turnLight(drag);
@@ -247,6 +244,12 @@ void Window::setTitle(const std::string& title) {
 
 void Window::swapBuffers() {
   glfwSwapBuffers(window_.get());
+}
+
+std::array<int, 2> Window::size() const {
+  int width = 0, height = 0;
+  glfwGetWindowSize(window_.get(), &width, &height);
+  return {std::max(width, 1), std::max(height, 1)};
 }
 
 std::array<int, 2> Window::framebufferSize() const {

@@ -78,7 +78,8 @@ class Window {
   void setTitle(const std::string& title);
   void swapBuffers();
 
-  std::array<int, 2> framebufferSize() const;  // both at least 1
+  std::array<int, 2> size() const;             // in the units of places; both at least 1
+  std::array<int, 2> framebufferSize() const;  // in pixels; both at least 1
   float scale() const;                         // of text: 1 on a usual display
   bool minimized() const;
   bool closing() const;
@@ -123,8 +124,8 @@ class Window {
   std::optional<Vec2> cursor_;
   Drag drag_ = Drag::none;
   int drag_button_ = 0;
-  float dragged_ = 0;                     // pixels since the button was pressed
-  std::optional<Stopwatch> since_click_;  // the last that was none of a double click
+  float dragged_ = 0;                         // pixels since the button was pressed
+  std::optional<Stopwatch> since_click_;      // the last that was none of a double click
   std::vector<std::array<int, 3>> released_;  // key, scancode, modifiers; ImGui is not told yet
   bool active_ = false;
 };

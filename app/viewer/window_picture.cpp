@@ -76,6 +76,7 @@ void WindowPicture::begin() {
     if (stage_ == Stage::preview && !has_sample && same_scene) return;
     changed_ = false;
     begun_serial_ = asked_serial_;
+    begun_size_ = size_;
     takeView();
     stage_ = renderer_ ? Stage::preview : Stage::none;
     const double full = static_cast<double>(size_[0]) * size_[1];

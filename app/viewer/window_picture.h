@@ -59,6 +59,9 @@ class WindowPicture {
   // Gives up what there is, after a failure. What is asked for next is begun anew.
   void drop();
 
+  // Of the picture in full, in pixels.
+  std::array<int, 2> size() const { return begun_size_; }
+
   bool full() const { return stage_ == Stage::full && !changed() && samples() > 0; }
 
   int samples() const { return renderer_ ? renderer_->samples() : 0; }
@@ -80,6 +83,7 @@ class WindowPicture {
   View view_;
   Camera camera_;
   std::array<int, 2> size_{1, 1};
+  std::array<int, 2> begun_size_{1, 1};
   Stopwatch since_change_;
   bool changed_ = false;  // since the picture was begun
   std::uint64_t asked_serial_ = 0;

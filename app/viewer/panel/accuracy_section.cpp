@@ -26,7 +26,7 @@ void drawBudget(const PanelData& data) {
 
 // What is wrong with the picture, in parts.
 void drawAccuracySection(const PanelData& data, ViewerState& state, PanelWishes& wishes) {
-  ImGui::SliderInt("bounces", &state.look.bounces, 0, 16);
+  ImGui::SliderInt(named("##bounces"), &state.look.bounces, 0, 16);
   if (data.limits) drawBudget(data);
   if (data.measuring_limits) {
     ImGui::TextDisabled("measuring ...");

@@ -31,8 +31,8 @@ void drawSaving(const PanelData& data, PanelFields& fields, PanelWishes& wishes)
   ImGui::InputText("##picture", fields.picture.data(), fields.picture.size());
   ImGui::SameLine();
   ImGui::TextUnformatted(".png .exr");
-  ImGui::InputInt2("pixels", fields.picture_size.data());
-  ImGui::InputInt("samples", &fields.picture_samples);
+  ImGui::InputInt2(named("##pixels"), fields.picture_size.data());
+  ImGui::InputInt(named("##samples"), &fields.picture_samples);
   if (data.saving) {
     ImGui::ProgressBar(*data.saving, {ImGui::GetFontSize() * 10, 0});
     ImGui::SameLine();

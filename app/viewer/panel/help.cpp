@@ -24,7 +24,7 @@ constexpr std::array<std::pair<const char*, const char*>, 20> kKeys{{
     {"S", "save the picture as it is"},
     {"Ctrl-S", "save the changes as a scene file"},
     {"Ctrl-C", "copy as a glimt render command line"},
-    {"Ctrl-O", "open: type a path"},
+    {"Ctrl-O", "open: type a path, or drop a file on the window"},
     {"Tab", "hide or show the panel"},
     {"arrows, Enter", "move in the panel, and change"},
     {"F1", "these keys"},
@@ -38,13 +38,14 @@ void drawHelp(bool& shown) {
   ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
   constexpr ImGuiWindowFlags kFlags =
       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove;
-  if (ImGui::Begin("Keys", &shown, kFlags) && ImGui::BeginTable("keys", 2)) {
+  if (ImGui::Begin("Keys", &shown, kFlags) &&
+      ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
     for (const auto& [key, what] : kKeys) {
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
-      ImGui::TextUnformatted(key);
+      ImGui::TextColored(ImGui::GetStyle().Colors[ImGuiCol_SliderGrab], "%s", key);
       ImGui::TableNextColumn();
-      ImGui::TextDisabled("%s", what);
+      ImGui::TextUnformatted(what);
     }
     ImGui::EndTable();
   }

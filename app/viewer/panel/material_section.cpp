@@ -32,17 +32,17 @@ bool editShare(const char* name, float& share) {
 void editEmission(Vec3& emission) {
   float strength = std::max({emission.r, emission.g, emission.b});
   Vec3 color = strength > 0 ? emission / strength : Vec3(1);
-  const bool brighter =
-      ImGui::SliderFloat("emission", &strength, 0, 100, "%.2f", ImGuiSliderFlags_Logarithmic);
-  const bool colored = strength > 0 && editColor("emission colour", color);
+  const bool brighter = ImGui::SliderFloat(named("##emission"), &strength, 0, 100, "%.2f",
+                                           ImGuiSliderFlags_Logarithmic);
+  const bool colored = strength > 0 && editColor(named("##emission colour"), color);
   if (brighter || colored) emission = strength * color;
 }
 
 void editGloss(Material& material) {
-  bool changed = editShare("metallic", material.metallic);
-  changed |= editShare("roughness", material.roughness);
-  changed |= editShare("transmission", material.transmission);
-  changed |= ImGui::SliderFloat("ior", &material.ior, 1, 3, "%.3f");
+  bool changed = editShare(named("##metallic"), material.metallic);
+  changed |= editShare(named("##roughness"), material.roughness);
+  changed |= editShare(named("##transmission"), material.transmission);
+  changed |= ImGui::SliderFloat(named("##ior"), &material.ior, 1, 3, "%.3f");
   // A surface of Lambert's kind, which reflects nothing, is made one that does; as in scene files.
   if (changed) material.specular = 1;
 }
@@ -51,7 +51,7 @@ void drawChoice(ViewerState& state) {
   const std::vector<Material>& materials = state.look.materials;
   const std::string shown =
       state.material ? nameOf(materials[*state.material], *state.material) : "none";
-  if (!ImGui::BeginCombo("selected", shown.c_str())) return;
+  if (!ImGui::BeginCombo(named("##selected"), shown.c_str())) return;
   for (std::size_t i = 0; i < materials.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::Selectable(nameOf(materials[i], i).c_str(), state.material == i)) state.material = i;
@@ -70,16 +70,18 @@ void drawMaterialSection(const PanelData& data, ViewerState& state) {
   }
   const Material& original = data.scene->scene.materials[*state.material];
   Material& material = state.look.materials[*state.material];
-  editColor("colour", material.base_color);
+  editColor(named("##colour"), material.base_color);
   if (material.base_color_texture.used()) {
     ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("times its texture");
   }
   editGloss(material);
-  editShare("clearcoat", material.clearcoat);
-  if (material.clearcoat > 0) editShare("coat roughness", material.clearcoat_roughness);
-  editColor("sheen", material.sheen_color);
-  if (material.sheen_color != Vec3(0)) editShare("sheen roughness", material.sheen_roughness);
+  editShare(named("##clearcoat"), material.clearcoat);
+  if (material.clearcoat > 0) editShare(named("##coat roughness"), material.clearcoat_roughness);
+  editColor(named("##sheen"), material.sheen_color);
+  if (material.sheen_color != Vec3(0))
+    editShare(named("##sheen roughness"), material.sheen_roughness);
   editEmission(material.emission);
   if (material != original && ImGui::Button("As in the file")) material = original;
 }

@@ -53,7 +53,7 @@ void drawNoiseCurve(const NoiseHistory& noise, float goal) {
   const float line = ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 size(ImGui::GetContentRegionAvail().x, 7 * line);
-  const float left = corner.x + 2.6f * line;
+  const float left = corner.x + 3.1f * line;
   const float right = corner.x + size.x - 0.6f * line;
   const float top = corner.y + 0.5f * line;
   const float bottom = corner.y + size.y - 1.3f * line;

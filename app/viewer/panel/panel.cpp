@@ -3,13 +3,14 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cfloat>
 
 namespace glimt {
 namespace {
 
 // In heights of a line of text.
-constexpr float kWidth = 19.5f;
-constexpr float kNameWidth = 6.5f;
+constexpr float kWidth = 22.5f;
+constexpr float kNameWidth = 8;
 
 bool beginSection(const char* name, bool open) {
   return ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
@@ -23,14 +24,13 @@ void drawSections(const PanelData& data, ViewerState& state, PanelFields& fields
     return beginSection("File", false);
   };
   if (data.scene == nullptr) {
-    ImGui::SetNextItemOpen(true);
-    if (openFile()) drawFileSection(data, fields, wishes);
+    if (beginSection("Open", true)) drawFileSection(data, fields, wishes);
     return;
   }
   if (beginSection("Picture", true)) drawPictureSection(data, state);
   if (beginSection("Variants and changes", true)) drawVariantSection(data, state, wishes);
   if (beginSection("Material", true)) drawMaterialSection(data, state);
-  if (beginSection("Light", true)) drawLightSection(data, state);
+  if (beginSection("Light", true)) drawLightSection(data, state, wishes);
   if (beginSection("Accuracy", false)) drawAccuracySection(data, state, wishes);
   if (beginSection("Camera", false)) drawCameraSection(data, state, wishes);
   if (openFile()) drawFileSection(data, fields, wishes);
@@ -42,7 +42,16 @@ void drawSections(const PanelData& data, ViewerState& state, PanelFields& fields
 }  // namespace
 
 float panelWidth(float window_width) {
-  return std::min(kWidth * ImGui::GetFontSize(), window_width);
+  // Not GetFontSize(), which is unknown before the first frame.
+  return std::min(kWidth * ImGui::GetIO().Fonts->Fonts.front()->FontSize, window_width);
+}
+
+const char* named(const char* id) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("%s", id + 2);
+  ImGui::SameLine(kNameWidth * ImGui::GetFontSize());
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  return id;
 }
 
 void drawRow(const char* name, const std::string& value) {
@@ -62,11 +71,11 @@ PanelWishes drawPanel(const PanelData& data, ViewerState& state, PanelFields& fi
                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                                       ImGuiWindowFlags_NoBringToFrontOnFocus;
   if (ImGui::Begin("panel", nullptr, kFlags)) {
-    ImGui::PushItemWidth(-kNameWidth * ImGui::GetFontSize());
-    drawSections(data, state, fields, wishes);
-    ImGui::PopItemWidth();
+    const float footer = ImGui::GetTextLineHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
+    if (ImGui::BeginChild("sections", {0, -footer})) drawSections(data, state, fields, wishes);
+    ImGui::EndChild();
     ImGui::Spacing();
-    ImGui::TextDisabled("F1: keys    Tab: hide this");
+    ImGui::TextDisabled("F1: keys    Tab: hide this    Ctrl-O: open");
   }
   ImGui::End();
   return wishes;

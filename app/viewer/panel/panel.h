@@ -9,6 +9,7 @@
 
 #include "app/viewer/loaded_scene.h"
 #include "app/viewer/noise_history.h"
+#include "app/viewer/orbit_camera.h"
 #include "app/viewer/viewer_state.h"
 #include "app/viewer/window_picture.h"
 #include "renderer/limit_error.h"
@@ -24,6 +25,7 @@ struct WindowPace {
 
 struct PanelData {
   const LoadedScene* scene = nullptr;  // null while there is none
+  const Camera& camera;
   const PictureStatus& status;
   const ContextInfo& device;
   const std::string& record;  // how hits are kept
@@ -51,7 +53,9 @@ struct SavedPicture {
 struct PanelWishes {
   std::optional<std::filesystem::path> open;
   std::optional<std::string> variant;
-  std::optional<std::size_t> camera;  // into Scene::cameras
+  std::optional<std::size_t> camera;       // into Scene::cameras
+  std::optional<Lens> lens;                // another one for the camera
+  std::optional<std::string> environment;  // by its name; empty: the file's own
   std::optional<SavedPicture> save_picture;
   bool save_scene = false;
   bool copy_command = false;
@@ -73,7 +77,7 @@ struct PanelFields {
   bool typing_path = false;  // the field of the path is to take the keys
 };
 
-// Pixels, of a window of that width.
+// Of a window of that width.
 float panelWidth(float window_width);
 
 PanelWishes drawPanel(const PanelData& data, ViewerState& state, PanelFields& fields);
@@ -86,7 +90,7 @@ void drawHelp(bool& shown);
 void drawPictureSection(const PanelData& data, ViewerState& state);
 void drawNoiseCurve(const NoiseHistory& noise, float goal);
 void drawAccuracySection(const PanelData& data, ViewerState& state, PanelWishes& wishes);
-void drawLightSection(const PanelData& data, ViewerState& state);
+void drawLightSection(const PanelData& data, ViewerState& state, PanelWishes& wishes);
 void drawMaterialSection(const PanelData& data, ViewerState& state);
 void drawVariantSection(const PanelData& data, ViewerState& state, PanelWishes& wishes);
 void drawCameraSection(const PanelData& data, ViewerState& state, PanelWishes& wishes);
@@ -97,5 +101,9 @@ void drawDeviceSection(const PanelData& data);
 
 // A name and what it is, in two columns.
 void drawRow(const char* name, const std::string& value);
+
+// For the control that follows: writes its name, which is what follows the "##" of its ImGui id,
+// into the left column, and gives it the right one. Returns the id.
+const char* named(const char* id);
 
 }  // namespace glimt

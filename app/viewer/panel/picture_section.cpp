@@ -41,7 +41,8 @@ void drawPictureSection(const PanelData& data, ViewerState& state) {
   drawRow("time", duration(status.seconds));
   drawRow("noise now", noiseText(status));
   float goal = 100 * state.noise_goal;
-  if (ImGui::SliderFloat("noise goal", &goal, 0.1f, 20, "%.2g%%", ImGuiSliderFlags_Logarithmic))
+  if (ImGui::SliderFloat(named("##noise goal"), &goal, 0.1f, 20, "%.2g%%",
+                         ImGuiSliderFlags_Logarithmic))
     state.noise_goal = 0.01f * goal;
   drawRow("time left", timeLeftText(status, state.noise_goal));
   drawNoiseCurve(data.noise, state.noise_goal);
