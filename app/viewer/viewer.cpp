@@ -15,6 +15,8 @@ namespace {
 
 // Between two looks at what the threads do, where nobody does anything.
 constexpr double kIdleSeconds = 0.25;
+// Between two looks at a progress bar.
+constexpr double kProgressSeconds = 0.1;
 constexpr double kTitleSeconds = 0.25;
 constexpr double kMessageSeconds = 5;
 constexpr double kFailureSeconds = 15;
@@ -80,10 +82,13 @@ void Viewer::handleEvents() {
   const Stopwatch waited;
   const double before = since_events_.seconds();
   event_age_ = before;
-  if (frames_wanted_ > 0)
+  if (frames_wanted_ > 0) {
     window_.pollEvents();
-  else
-    window_.waitEvents(kIdleSeconds);
+  } else {
+    const bool working = loading_ || saving_ || measuring_;
+    window_.waitEvents(working ? kProgressSeconds : kIdleSeconds);
+    if (working) frames_wanted_ = 1;
+  }
   if (waited.seconds() > kAtOnce) event_age_ = 0;
   since_events_ = {};
   if (window_.takeActivity()) frames_wanted_ = kFramesOfEvent;
@@ -252,12 +257,13 @@ void Viewer::updateTitle() {
   if (since_title_.seconds() < kTitleSeconds) return;
   since_title_ = {};
   const std::string name = scene_ ? scene_->scene.name : "loading";
+  const std::string typing = gui_.wantsKeys() ? ", typing" : "";
   const double rate = status_.sample_rate;
   const std::string size = status_.divisor > 1 ? fmt::format(", 1/{} size", status_.divisor) : "";
   const std::string title =
-      printable(fmt::format("{} - {}, {:.{}f} samples/s{} - glimt", name,
+      printable(fmt::format("{} - {}, {:.{}f} samples/s{}{} - glimt", name,
                             counted(static_cast<std::uintmax_t>(status_.samples), "sample"), rate,
-                            rate < 10 ? 1 : 0, size));
+                            rate < 10 ? 1 : 0, size, typing));
   if (title != title_) window_.setTitle(title);
   title_ = title;
 }

@@ -47,9 +47,7 @@ void Viewer::load(const SceneChoice& choice) {
 }
 
 void Viewer::takeScene() {
-  if (!loading_) return;
-  frames_wanted_ = std::max(frames_wanted_, 1);
-  if (!loading_->done()) return;
+  if (!loading_ || !loading_->done()) return;
   const auto task = std::move(loading_);
   try {
     if (std::optional<LoadedScene> loaded = task->take())
@@ -138,7 +136,6 @@ void Viewer::takeOutline() {
 }
 
 void Viewer::takeFinished() {
-  if (saving_ || measuring_) frames_wanted_ = std::max(frames_wanted_, 1);
   try {
     if (measuring_ && measuring_->done()) limits_ = std::exchange(measuring_, nullptr)->take();
     if (saving_ && saving_->done())

@@ -54,10 +54,7 @@ start_viewer() {
 
 # Presses the left button at a place in the window.
 click() {
-  xdotool mousemove --window "$window" "$1" "$2"
-  sleep 0.2 # two clicks in one place would be a double click
-  xdotool click 1
-  sleep 0.3
+  xdotool mousemove --window "$window" "$1" "$2" click 1
 }
 
 # How often the scene was saved.
@@ -69,13 +66,21 @@ saved_again() {
   [ "$(saves)" -gt "$count" ]
 }
 
-# Saves the scene, which has to hold the text, or with a third argument not.
-expect_saved() {
+# Saves the scene, and whether it then holds what is expected. What was done just before may be done
+# only after the keys have come; then it is looked at again.
+held_as_expected() {
   count=$(saves)
   press ctrl+s
   wait_for "the scene to be saved" saved_again
-  if grep -q "$1" two-edited.scene.json; then held=yes; else held=''; fi
-  [ "$held" = "${3-yes}" ] || fail "$2: $(cat two-edited.scene.json)"
+  if grep -q "$expected" two-edited.scene.json; then held=yes; else held=''; fi
+  [ "$held" = "$holds" ]
+}
+
+# The saved scene comes to hold the text, or with a third argument not to.
+expect_saved() {
+  expected=$1
+  holds=${3-yes}
+  wait_for "$2" held_as_expected
   echo "$2"
 }
 
@@ -134,11 +139,15 @@ test_camera() {
 test_open() {
   sed 's/"red"/"other"/' two.gltf >other.gltf
   press ctrl+o
-  sleep 0.5
+  wait_for "the field of the path" typing
   xdotool type --delay 20 "$folder/other.gltf"
   xdotool key Return
   wait_for "the other scene" other_shown
   echo "a typed path opens another scene"
+}
+
+typing() {
+  title | grep -q ', typing - glimt$'
 }
 
 other_shown() {
