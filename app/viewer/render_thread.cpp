@@ -23,11 +23,12 @@ std::string describe(const std::exception& error) {
 
 }  // namespace
 
-RenderThread::RenderThread(const RenderSettings& settings, int gles, std::function<void()> wake)
-    : wake_(std::move(wake)) {
+RenderThread::RenderThread(const RenderSettings& settings, MakeContext make_context,
+                           std::function<void()> wake)
+    : make_context_(std::move(make_context)), wake_(std::move(wake)) {
   std::promise<ContextInfo> ready;
   std::future<ContextInfo> info = ready.get_future();
-  thread_ = std::thread([this, settings, gles, &ready] { run(settings, gles, ready); });
+  thread_ = std::thread([this, settings, &ready] { run(settings, ready); });
   try {
     info_ = info.get();
   } catch (...) {
@@ -85,40 +86,57 @@ void RenderThread::tell(Message message) {
   wake_();
 }
 
-void RenderThread::run(const RenderSettings& settings, int gles, std::promise<ContextInfo>& ready) {
+void RenderThread::run(const RenderSettings& settings, std::promise<ContextInfo>& ready) {
   std::optional<ContextHandle> context;
   try {
-    context.emplace(createOffscreenContext(Backend::automatic, gles));
+    context.emplace(make_context_());
     ready.set_value(context->info());  // from here on `ready` may be gone
   } catch (...) {
     ready.set_exception(std::current_exception());
     return;
   }
-  WindowPicture picture(*context, settings);
-  WindowPicture beside(*context, settings);
-  serve(picture, beside);
+  do {
+    try {
+      if (!context) context.emplace(make_context_());
+      WindowPicture picture(*context, settings);
+      WindowPicture beside(*context, settings);
+      return serve(picture, beside);
+    } catch (const std::exception& error) {
+      fail(error);
+    }
+    context.reset();
+  } while (waitForRequest());
 }
 
-void RenderThread::serve(WindowPicture& picture, WindowPicture& beside) {
-  bool idle = true;
-  while (const SharedRequest request = nextRequest(idle)) {
-    try {
-      turn(*request, picture, beside);
-      idle = request->rest || (picture.finished() && beside.finished() && !picture.hasNews());
-    } catch (const std::exception& error) {
-      tell({describe(error), true});
-      // The window keeps the last picture until something else is asked for.
-      picture.drop();
-      beside.drop();
-      idle = true;
-    }
+// The window keeps the last picture until something else is asked for.
+void RenderThread::fail(const std::exception& error) {
+  {
+    const std::lock_guard lock(mutex_);
+    save_.reset();
   }
+  tell({describe(error), true});
+}
+
+// Until the end.
+void RenderThread::serve(WindowPicture& picture, WindowPicture& beside) {
+  bool idle = false;
+  while (const SharedRequest request = nextRequest(idle)) {
+    turn(*request, picture, beside);
+    idle = request->rest || (picture.finished() && beside.finished() && !picture.hasNews());
+  }
+}
+
+// False at the end.
+bool RenderThread::waitForRequest() {
+  std::unique_lock lock(mutex_);
+  asked_.wait(lock, [&] { return ending_ || fresh_ || save_.has_value(); });
+  return !ending_;
 }
 
 // The latest one. Waits for another where there is nothing left to do. Null at the end.
 RenderThread::SharedRequest RenderThread::nextRequest(bool idle) {
-  std::unique_lock lock(mutex_);
-  if (idle) asked_.wait(lock, [&] { return ending_ || fresh_ || save_.has_value(); });
+  if (idle) waitForRequest();
+  const std::lock_guard lock(mutex_);
   fresh_ = false;
   return ending_ ? nullptr : request_;
 }

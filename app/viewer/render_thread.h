@@ -4,6 +4,7 @@
 
 #include <condition_variable>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <future>
@@ -43,9 +44,14 @@ struct Message {
 
 class RenderThread {
  public:
-  // Ready when it comes back. `wake` is called on the thread when there is something to take.
-  // Errors: no_gl.
-  RenderThread(const RenderSettings& settings, int gles, std::function<void()> wake);
+  // Makes a context that is current on the thread it is called on.
+  using MakeContext = std::function<ContextHandle()>;
+
+  // Ready when it comes back. `make_context` is called on the thread, at first and again after a
+  // failure, since the context may be lost. `wake` is called on the thread when there is something
+  // to take. Errors: those of the first context.
+  RenderThread(const RenderSettings& settings, MakeContext make_context,
+               std::function<void()> wake);
   RenderThread(const RenderThread&) = delete;
   RenderThread& operator=(const RenderThread&) = delete;
   ~RenderThread();
@@ -61,9 +67,11 @@ class RenderThread {
   const ContextInfo& context() const { return info_; }
 
  private:
-  void run(const RenderSettings& settings, int gles, std::promise<ContextInfo>& ready);
   using SharedRequest = std::shared_ptr<const PictureRequest>;
 
+  void run(const RenderSettings& settings, std::promise<ContextInfo>& ready);
+  void fail(const std::exception& error);
+  bool waitForRequest();
   void serve(WindowPicture& picture, WindowPicture& beside);
   void turn(const PictureRequest& request, WindowPicture& picture, WindowPicture& beside);
   void publish(const PictureRequest& request, WindowPicture& picture, WindowPicture& beside);
@@ -71,6 +79,7 @@ class RenderThread {
   void tell(Message message);
   SharedRequest nextRequest(bool idle);
 
+  MakeContext make_context_;
   std::function<void()> wake_;
   ContextInfo info_;
   Stopwatch since_frame_;     // the thread's own

@@ -52,7 +52,10 @@ Viewer::Viewer(Window& window, const PictureOptions& picture)
       options_(picture),
       gui_(window),
       canvas_(gui_),
-      renderer_(settingsOf(picture), picture.gles, Window::wake),
+      renderer_(
+          settingsOf(picture),
+          [gles = picture.gles] { return createOffscreenContext(Backend::automatic, gles); },
+          Window::wake),
       camera_(Camera()) {
   state_.panel = window.framebufferSize()[0] >= kNarrow * window.scale();
   window_.listen(*this);
@@ -257,11 +260,12 @@ void Viewer::updateTitle() {
   if (since_title_.seconds() < kTitleSeconds) return;
   since_title_ = {};
   const std::string name = scene_ ? scene_->scene.name : "loading";
+  const bool changed = scene_ && state_.look != saved_look_;
   const std::string typing = gui_.wantsKeys() ? ", typing" : "";
   const double rate = status_.sample_rate;
   const std::string size = status_.divisor > 1 ? fmt::format(", 1/{} size", status_.divisor) : "";
   const std::string title =
-      printable(fmt::format("{} - {}, {:.{}f} samples/s{}{} - glimt", name,
+      printable(fmt::format("{}{} - {}, {:.{}f} samples/s{}{} - glimt", name, changed ? "*" : "",
                             counted(static_cast<std::uintmax_t>(status_.samples), "sample"), rate,
                             rate < 10 ? 1 : 0, size, typing));
   if (title != title_) window_.setTitle(title);
@@ -269,11 +273,13 @@ void Viewer::updateTitle() {
 }
 
 void Viewer::tell(const std::string& text, bool failure) {
-  message_ = printable(text);
+  const std::string message = printable(text);
+  // What goes wrong each time the hand moves is said once.
+  if (!failure || message != message_) say(text);
+  message_ = message;
   message_is_failure_ = failure;
   since_message_ = {};
   frames_wanted_ = kFramesOfEvent;
-  say(text);
 }
 
 // The panel's share of the window's width. A narrow window has no room for both: there it lies on

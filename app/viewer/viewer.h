@@ -97,7 +97,8 @@ class Viewer final : private WindowListener {
   std::shared_ptr<const LoadedScene> scene_;
   OrbitCamera camera_;
   ViewerState state_;
-  Look file_look_;  // as the file has it
+  Look file_look_;   // as the file has it
+  Look saved_look_;  // as it was saved last, or opened
   std::optional<History<Look>> history_;
   std::optional<View> beside_;
   std::vector<EffectReport> effects_;

@@ -71,12 +71,16 @@ void Viewer::show(std::shared_ptr<const LoadedScene> loaded) {
     const bool same_materials = look.materials.size() == state_.look.materials.size();
     if (!same_materials) state_.material.reset();
     state_.look = reloadedLook(state_.look, file_look_, look);
+    const std::string saved_variant = saved_look_.variant;
+    saved_look_ = reloadedLook(saved_look_, file_look_, look);
+    saved_look_.variant = saved_variant;
     if (!same_materials) history_.emplace(state_.look);
   } else {
     // The command line speaks of the first scene's camera.
     const Camera camera = scene_ ? scene.camera : cameraOf(options_.camera, scene);
     camera_ = OrbitCamera(withTargetAtModel(camera, boundsOf(scene)));
     state_.look = look;
+    saved_look_ = look;
     state_.material.reset();
     history_.emplace(look);
     beside_.reset();
@@ -186,6 +190,7 @@ void Viewer::saveScene() {
     const EditedScene edited = editedScene(*scene_, state_.look, camera_.camera(), request_.size);
     if (saved_scene_.empty()) saved_scene_ = editedSceneName(scene_->choice.path);
     writeFile(saved_scene_, edited.file.dump(2) + "\n");
+    saved_look_ = state_.look;
     std::string text = fmt::format("saved {}", saved_scene_.string());
     for (const std::string& warning : edited.warnings) text += "; " + warning;
     tell(text, !edited.warnings.empty());

@@ -45,13 +45,6 @@ void WindowPicture::ask(const View& view, const Camera& camera, std::array<int, 
   since_change_ = {};
 }
 
-void WindowPicture::drop() {
-  renderer_.reset();
-  drawn_ = {};
-  stage_ = Stage::none;
-  changed_ = false;
-}
-
 void WindowPicture::work(double seconds) {
   begin();
   const Stopwatch frame;

@@ -41,7 +41,7 @@ class WindowPicture {
   // one time to the next.
   void ask(const View& view, const Camera& camera, std::array<int, 2> size, std::uint64_t serial);
 
-  // Works for about so long. Errors: those of the renderer; then the picture is gone.
+  // Works for about so long. Errors: those of the renderer, after which the picture is of no more use.
   void work(double seconds);
 
   // Whether there is nothing left to do: nobody sees the noise of more samples.
@@ -55,9 +55,6 @@ class WindowPicture {
 
   // Of the latest time of asking that the picture answers.
   std::uint64_t serial() const { return changed() ? begun_serial_ : asked_serial_; }
-
-  // Gives up what there is, after a failure. What is asked for next is begun anew.
-  void drop();
 
   // Of the picture in full, in pixels.
   std::array<int, 2> size() const { return begun_size_; }

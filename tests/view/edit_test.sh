@@ -57,6 +57,11 @@ click() {
   xdotool mousemove --window "$window" "$1" "$2" click 1
 }
 
+# Whether there is something to save, which the title tells by a star.
+changed() {
+  title | grep -q '^two\* - '
+}
+
 # How often the scene was saved.
 saves() {
   grep -c '^glimt: saved .*scene.json' errors || true
@@ -88,6 +93,7 @@ test_pick_and_undo() {
   click 568 330
   expect_saved '"metallic"' "a click alone changes nothing" ''
   click 150 "$metallic_y"
+  wait_for "the slider" changed
   expect_saved '"metallic"' "a slider changes the material that was clicked"
   grep -q '"red"' two-edited.scene.json || fail "another material was changed"
   press ctrl+z
@@ -102,17 +108,41 @@ test_same_as_render() {
   expect_same rendered.png two.png "glimt render of the saved scene gives the window's picture"
 }
 
-test_variant() {
+# Of the look before, on the left, with the variant, on the right of a line that is dragged.
+test_compare() {
+  press c
   click "$variant_x" "$variant_y"
+  wait_for "the look before, on the left" reddish $((middle - 15)) 300
+  wait_for "the variant on the right" bluish $((middle + 15)) 300
+  xdotool mousemove --window "$window" $middle 100 mousedown 1 mousemove_relative -- 60 0 mouseup 1
+  wait_for "the line to be dragged" reddish $((middle + 15)) 300
+  wait_for "the picture beyond the line to stay" bluish $((middle + 75)) 300
+  press c
+  wait_for "the end of the comparison" bluish $((middle - 15)) 300
+  echo "C compares with the look before"
+}
+
+test_variant() {
   expect_saved '"variant": "night"' "a button chooses the variant"
-  expect_restart "the variant"
   save two-2.png
   expect_different two-2.png two.png "the variant is another picture"
 }
 
+saved_camera() {
+  count=$(saves)
+  press ctrl+s
+  wait_for "the scene to be saved" saved_again
+  sed -n '/"camera"/,/vertical_fov/p' two-edited.scene.json
+}
+
 test_reload() {
+  xdotool mousemove --window "$window" $middle 100 mousedown 1 mousemove_relative -- 40 0 mouseup 1
+  expect_restart "a drag"
+  turned=$(saved_camera)
+  wait_for "the picture to settle" settled
   write_scene_file 3
   expect_restart "the file was changed"
+  [ "$(saved_camera)" = "$turned" ] || fail "the camera did not stay: $(saved_camera)"
   save two-3.png
   expect_different two-3.png two-2.png "a changed file is shown"
 }
@@ -174,6 +204,7 @@ test_quit_while_loading() {
 
 # Places in the panel, in pixels.
 metallic_y=439
+middle=568 # of the picture
 variant_x=104
 variant_y=308
 
@@ -182,6 +213,7 @@ start_display
 start_viewer
 test_pick_and_undo
 test_same_as_render
+test_compare
 test_variant
 test_reload
 test_bad_file

@@ -44,7 +44,7 @@ wait_for() {
 # --- A scene, a display, the viewer ---------------------------------------------------------------
 
 start_display() {
-  Xvfb -displayfd 3 -screen 0 "${screen}x24" -nolisten tcp -noreset 3>"$folder/display" >/dev/null 2>&1 &
+  Xvfb -displayfd 3 -fbdir "$folder" -screen 0 "${screen}x24" -nolisten tcp -noreset 3>"$folder/display" >/dev/null 2>&1 &
   server=$!
   wait_for "Xvfb" test -s "$folder/display"
   DISPLAY=:$(cat "$folder/display")
@@ -60,6 +60,30 @@ find_window() {
 
 title() {
   xdotool getwindowname "$window" 2>/dev/null || true
+}
+
+# Byte OFFSET of what is on the screen, as a number; as many bytes as COUNT, the first the highest.
+screen_bytes() {
+  od -An -tu1 -j"$1" -N"$2" "$folder/Xvfb_screen0" | awk '{ for (i = 1; i <= NF; ++i) n = 256 * n + $i; print n }'
+}
+
+# "RED GREEN BLUE" at X Y, whose file (XWD) tells in its header where its lines are.
+pixel() {
+  lines=$(($(screen_bytes 0 4) + 12 * $(screen_bytes 76 4)))
+  od -An -tu1 -j$((lines + $2 * $(screen_bytes 48 4) + 4 * $1)) -N3 "$folder/Xvfb_screen0" |
+    awk '{ print $3, $2, $1 }'
+}
+
+# reddish X Y, bluish X Y
+reddish() {
+  # shellcheck disable=SC2046  # words are what is wanted
+  set -- $(pixel "$1" "$2")
+  [ "$1" -gt $(($3 + 20)) ]
+}
+bluish() {
+  # shellcheck disable=SC2046  # words are what is wanted
+  set -- $(pixel "$1" "$2")
+  [ "$3" -gt $(($1 + 20)) ]
 }
 
 # "SAMPLES RATE" of a picture in full size, nothing while the title says something else.
