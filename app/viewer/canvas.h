@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "app/viewer/gui.h"
 #include "app/viewer/outline.h"
@@ -15,7 +16,7 @@ class Canvas {
 
   void take(const PictureFrame& frame);
   void setOutline(const Outline& outline);
-  void hideOutline() { outlined_ = false; }
+  bool hideOutline() { return std::exchange(outlined_, false); }  // whether it was there
 
   // Between Gui::beginFrame() and endFrame(). From `left`, a share of the window's width, to the
   // right edge; a picture of another shape is centred there, as high as the window. `divider` is

@@ -7,9 +7,9 @@ namespace glimt {
 namespace {
 
 // Seconds of a sample: what is aimed at, and what is left as it is.
-constexpr double kGoal = 0.04;
-constexpr double kShortest = 0.012;
-constexpr double kLongest = 0.05;
+constexpr double kGoal = 0.025;
+constexpr double kShortest = 0.008;
+constexpr double kLongest = 0.035;
 
 constexpr int kLargestDivisor = 16;
 

@@ -15,6 +15,10 @@ namespace glimt {
 namespace {
 
 constexpr double kFrameSeconds = 1.0 / 30;
+
+// Between two looks at what is asked for.
+constexpr double kSliceSeconds = 0.01;
+
 constexpr double kStatusSeconds = 0.2;
 
 std::string describe(const std::exception& error) {
@@ -148,7 +152,7 @@ void RenderThread::turn(const PictureRequest& request, WindowPicture& picture,
   beside.ask(request.beside.value_or(View()), request.camera, request.size, request.serial);
   // The two take turns.
   const bool other = request.beside && beside_next_ && !beside.finished();
-  (other ? beside : picture).work(kFrameSeconds);
+  (other ? beside : picture).work(kSliceSeconds);
   if (!request.beside) beside.work(0);  // lets go of what was compared
   beside_next_ = !beside_next_;
   publish(request, picture, beside);

@@ -140,8 +140,7 @@ void Viewer::ask() {
   renderer_.ask(request_);
   since_change_ = {};
   outline_wanted_ = true;
-  canvas_.hideOutline();
-  frames_wanted_ = std::max(frames_wanted_, 1);
+  if (canvas_.hideOutline()) frames_wanted_ = std::max(frames_wanted_, 1);
 }
 
 void Viewer::draw() {

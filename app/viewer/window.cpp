@@ -163,7 +163,8 @@ Vec2 Window::shareOf(Vec2 position) const {
 }
 
 void Window::onCursor(Vec2 position) {
-  active_ = true;
+  // A drag shows in the picture that it leads to, and nowhere else.
+  if (drag_ == Drag::none) active_ = true;
   // Not glfwGetCursorPos(), which is ahead of the events.
   const Vec2 move = position - cursor_.value_or(position);
   cursor_ = position;

@@ -92,7 +92,7 @@ class Window {
   // Ends waitEvents(); on any thread.
   static void wake();
 
-  // Whether there was any event since the last call.
+  // Whether there was any event since the last call, but for drags.
   bool takeActivity();
 
  private:
