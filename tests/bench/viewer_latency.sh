@@ -19,7 +19,7 @@ clean_up() {
   rm -rf "$folder"
 }
 trap clean_up EXIT
-trap 'exit 1' HUP INT TERM
+trap 'exit 1' HUP INT PIPE TERM
 
 Xvfb -displayfd 3 -screen 0 1280x720x24 -nolisten tcp -noreset 3>"$folder/display" >/dev/null 2>&1 &
 server=$!
