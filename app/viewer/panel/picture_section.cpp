@@ -2,7 +2,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/viewer/panel/panel.h"
 #include "renderer/core/wording.h"
@@ -10,12 +9,17 @@
 namespace glimt {
 namespace {
 
+// Each of these fits into one line, so that nothing below moves while the numbers change.
+std::string sizeText(const PanelData& data) {
+  const int divisor = data.status.divisor;
+  return fmt::format("{} x {}{}", data.size[0], data.size[1],
+                     divisor > 1 ? fmt::format(", preview 1/{}", divisor) : "");
+}
+
 std::string samplesText(const PictureStatus& status) {
   if (status.samples == 0) return "first sample";
-  const std::string preview =
-      status.divisor > 1 ? fmt::format(", preview at 1/{}", status.divisor) : "";
-  return fmt::format("{}, {:.3g} a second{}", grouped(static_cast<std::uintmax_t>(status.samples)),
-                     status.sample_rate, preview);
+  return fmt::format("{}, {:.3g} a second", grouped(static_cast<std::uintmax_t>(status.samples)),
+                     status.sample_rate);
 }
 
 std::string noiseText(const PictureStatus& status) {
@@ -28,15 +32,14 @@ std::string timeLeftText(const PictureStatus& status, double goal) {
   if (!status.noise) return "not known yet";
   if (status.noise->upper <= goal) return "reached";
   const double samples = std::max(status.noise->samplesFor(goal) - status.samples, 1.0);
-  return fmt::format("{}, {} more", duration(samples * status.secondsPerSample()),
-                     counted(static_cast<std::uintmax_t>(std::ceil(samples)), "sample"));
+  return duration(samples * status.secondsPerSample());
 }
 
 }  // namespace
 
 void drawPictureSection(const PanelData& data, ViewerState& state) {
   const PictureStatus& status = data.status;
-  drawRow("size", fmt::format("{} x {}", data.size[0], data.size[1]));
+  drawRow("size", sizeText(data));
   drawRow("samples", samplesText(status));
   drawRow("time", duration(status.seconds));
   drawRow("noise now", noiseText(status));
