@@ -47,7 +47,7 @@ void setStyle(float scale) {
 
 }  // namespace
 
-Gui::Session::Session(Window& window) {
+Gui::Library::Library(Window& window) {
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
@@ -57,13 +57,13 @@ Gui::Session::Session(Window& window) {
   ImGui_ImplGlfw_InitForOpenGL(window.get(), false);
 }
 
-Gui::Session::~Session() {
+Gui::Library::~Library() {
   ImGui_ImplGlfw_Shutdown();
   ImGui::DestroyContext();
 }
 
 Gui::Gui(Window& window)
-    : window_(window), context_(gl::adoptContext(window.loader())), session_(window) {
+    : window_(window), context_(gl::adoptContext(window.loader())), library_(window) {
   renderer_.emplace(context_->functions());
 }
 

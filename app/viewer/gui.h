@@ -30,17 +30,17 @@ class Gui {
 
  private:
   // ImGui's own state, and its view of the window.
-  class Session {
+  class Library {
    public:
-    explicit Session(Window& window);
-    Session(const Session&) = delete;
-    Session& operator=(const Session&) = delete;
-    ~Session();
+    explicit Library(Window& window);
+    Library(const Library&) = delete;
+    Library& operator=(const Library&) = delete;
+    ~Library();
   };
 
   Window& window_;
   std::unique_ptr<gl::Context> context_;
-  Session session_;
+  Library library_;
   std::optional<GuiRenderer> renderer_;
 };
 

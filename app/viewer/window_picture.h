@@ -41,7 +41,8 @@ class WindowPicture {
   // one time to the next.
   void ask(const View& view, const Camera& camera, std::array<int, 2> size, std::uint64_t serial);
 
-  // Works for about so long. Errors: those of the renderer, after which the picture is of no more use.
+  // Works for about so long. Errors: those of the renderer, after which the picture is of no more
+  // use.
   void work(double seconds);
 
   // Whether there is nothing left to do: nobody sees the noise of more samples.
