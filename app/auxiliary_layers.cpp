@@ -37,6 +37,10 @@ void keepFor(const std::vector<std::string>& wanted, RenderSettings& settings) {
   settings.keep_path_lengths = wants(wanted, "cost");
 }
 
+void addUndenoised(ImageLayers& layers, const Image& picture) {
+  addVectors(layers, "undenoised", "RGB", picture.pixels);
+}
+
 void addAuxiliaryLayers(ImageLayers& layers, const std::vector<std::string>& wanted,
                         const Picture& picture, Renderer& renderer) {
   if (wants(wanted, "noise")) layers.channels["noise"] = noiseOf(picture);

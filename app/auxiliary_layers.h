@@ -18,6 +18,9 @@ inline constexpr std::array<const char*, 6> kLayerNames{"albedo",   "normal", "d
 // What the renderer has to keep from the beginning for the layers that are wanted.
 void keepFor(const std::vector<std::string>& wanted, RenderSettings& settings);
 
+// The picture before it was denoised: undenoised.R .G .B.
+void addUndenoised(ImageLayers& layers, const Image& picture);
+
 // Adds them: albedo.R .G .B; normal.X .Y .Z; depth.Z; material; noise; cost. The picture is the
 // renderer's. Errors: as Renderer::firstHits.
 void addAuxiliaryLayers(ImageLayers& layers, const std::vector<std::string>& wanted,

@@ -155,6 +155,7 @@ std::string BatchCommand::inputsOf(const BatchPicture& picture) {
   json["time"] = jsonOrNull(job_.limits.seconds);
   json["noise"] = jsonOrNull(job_.limits.noise);
   json["even"] = job_.even;
+  json["denoise"] = job_.denoise;
   json["exposure"] = exposureOf(job_.picture, scene);
   json["tone"] = toneOf(job_.picture, scene);
   return sha256Of(json.dump());
@@ -199,7 +200,8 @@ void BatchCommand::write(const BatchPicture& picture, const Sampling& sampling,
     if (sampling.noise) noise = sampling.noise->upper;
     manifest_.add(ManifestEntry{file, picture.variant, picture.camera, picture.angle, picture.size,
                                 sampling.samples, noise, sampling.seconds,
-                                sha256Of(readFile(job_.folder / file, kLargestPicture)), inputs});
+                                sha256Of(readFile(job_.folder / file, kLargestPicture)), inputs,
+                                sampling.picture.radiance.denoised});
   }
   writeManifest(manifestFile(), manifest_);
 }
@@ -243,7 +245,8 @@ void BatchCommand::writeContactSheet() {
     std::string note = "failed";
     if (entry != nullptr)
       note = counted(static_cast<std::uintmax_t>(entry->samples), "sample") +
-             (entry->noise ? ", noise " + percent(*entry->noise) : "");
+             (entry->noise ? ", noise " + percent(*entry->noise) : "") +
+             (entry->denoised ? ", denoised" : "");
     std::string view = fmt::format("{}x{}", picture.size[0], picture.size[1]);
     if (picture.angle) view = fmt::format("{:g}°, {}", *picture.angle, view);
     if (!picture.camera.empty()) view = picture.camera + ", " + view;

@@ -26,6 +26,7 @@ struct RenderOptions {
   bool forecast = false;
   std::optional<SampleRange> share;  // --samples
   std::vector<std::string> layers;   // of .exr, see auxiliary_layers.h
+  bool denoise = false;
   Backend backend = Backend::automatic;
   std::filesystem::path shader_folder;  // empty: they are not written
   std::string json;                     // a file, "-" for standard output, empty for none

@@ -14,8 +14,8 @@
 namespace glimt {
 namespace {
 
-Json reportOf(const CompareOptions& options, const Image& image, const ImageDifference& d,
-              double flip) {
+Json reportOf(const CompareOptions& options, const Image& image, const Image& reference,
+              const ImageDifference& d, double flip) {
   return {{"image", options.image.string()},
           {"reference", options.reference.string()},
           {"width", image.width},
@@ -26,6 +26,7 @@ Json reportOf(const CompareOptions& options, const Image& image, const ImageDiff
           {"noise", d.noise},
           {"psnr", d.psnr},  // null, as JSON has no infinity, where the pictures are equal
           {"flip", flip},
+          {"denoised", {{"image", image.denoised}, {"reference", reference.denoised}}},
           {"largest", d.largest}};
 }
 
@@ -40,6 +41,15 @@ std::string textOf(const ImageDifference& d, double flip) {
       "largest     {:.6g}\n",
       d.mean_ratio.x, d.mean_ratio.y, d.mean_ratio.z, d.mse, d.relative_mse, percent(d.noise),
       d.psnr, flip, d.largest);
+}
+
+// Which of them have been denoised: a difference is then no measure of noise.
+std::string denoisedText(const Image& image, const Image& reference) {
+  if (!image.denoised && !reference.denoised) return "";
+  const char* const which =
+      image.denoised ? (reference.denoised ? "both pictures" : "the first picture")
+                     : "the second picture";
+  return fmt::format("denoised    {}\n", which);
 }
 
 double valueOf(const std::string& metric, const ImageDifference& d, double flip) {
@@ -68,9 +78,9 @@ int runCompare(const CompareOptions& options) {
   if (!options.output.empty())
     writeDisplayImage(options.output, flipPicture(flip, image.width, image.height));
   if (options.json.empty()) {
-    writeOut(textOf(difference, flip.mean));
+    writeOut(textOf(difference, flip.mean) + denoisedText(image, reference));
   } else {
-    writeJson(options.json, reportOf(options, image, difference, flip.mean));
+    writeJson(options.json, reportOf(options, image, reference, difference, flip.mean));
   }
   const double value = valueOf(options.metric, difference, flip.mean);
   if (!options.threshold || value <= *options.threshold) return 0;

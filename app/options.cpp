@@ -100,6 +100,10 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
       [&](const std::string& text) {
         options.layers = parseChoices("--layers", text, {kLayerNames.begin(), kLayerNames.end()});
       });
+  command
+      .add_flag("--denoise", options.denoise,
+                "Take noise out of the picture, for previews; its file says so (docs/denoiser.md)")
+      ->excludes(command.get_option("--samples"));
   addPicture(command, options.picture);
   addBackend(command, options.backend);
   addSampling(command, options.picture);

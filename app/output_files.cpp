@@ -8,6 +8,7 @@
 
 #include "renderer/core/error.h"
 #include "renderer/core/file.h"
+#include "renderer/core/image_file.h"
 #include "renderer/core/wording.h"
 
 namespace glimt {
@@ -44,6 +45,13 @@ void checkWritable(const fs::path& file) {
   const std::string fault = faultOf(file);
   if (fault.empty()) return;
   throw Error(ErrorKind::usage, fmt::format("{}: cannot be written: {}", file.string(), fault));
+}
+
+void checkCanTellDenoised(const fs::path& file) {
+  if (imageFormatOf(file) == ImageFormat::pfm)
+    throw Error(ErrorKind::usage,
+                fmt::format("{}: a .pfm cannot say that its picture is denoised; use .exr",
+                            printable(file.string())));
 }
 
 void makeFolder(const fs::path& folder) {

@@ -66,7 +66,9 @@ class RenderCommand {
   std::string lossesOf(Renderer& renderer) const;
   void measureLimits(Renderer& renderer);
   RenderSettings settingsFor(const Scene& scene) const;
-  ImageLayers layersFor(const Sampling& sampling, const Scene& scene, Renderer& renderer);
+  Image denoised(const Sampling& sampling, Renderer& renderer);
+  ImageLayers layersFor(const Sampling& sampling, const Image& shown, const Scene& scene,
+                        Renderer& renderer);
   void writePictures(const Sampling& sampling, const Scene& scene, Renderer& renderer);
   void warn(const std::string& what);
   void endIfInterrupted() const;
@@ -126,7 +128,7 @@ RenderSettings RenderCommand::settingsFor(const Scene& scene) const {
                 "shares of a picture with a transparent background cannot be merged; leave out "
                 "--samples or the background");
   if (options_.share) settings.first_sample = options_.share->first;
-  settings.keep_spread = options_.share.has_value();
+  settings.keep_spread = options_.share.has_value() || options_.denoise;
   keepFor(options_.layers, settings);
   if (settings.keep_path_lengths && scene.transparent_background)
     throw Error(ErrorKind::usage,
@@ -147,6 +149,7 @@ void RenderCommand::checkOutputs() const {
       throw Error(ErrorKind::usage,
                   fmt::format("{}: a share of the samples is written as .exr, for glimt merge",
                               printable(output.string())));
+    if (options_.denoise) checkCanTellDenoised(output);
     checkWritable(output);
   }
   checkJsonFile(options_.json);
@@ -240,11 +243,30 @@ void RenderCommand::measureLimits(Renderer& renderer) {
   report_.measure_limits = clock_.seconds() - report_.total;
 }
 
+// The picture as it is to be seen. Where it cannot be denoised it is what its samples are.
+Image RenderCommand::denoised(const Sampling& sampling, Renderer& renderer) {
+  if (!options_.denoise) return sampling.picture.radiance;
+  const Stopwatch clock;
+  try {
+    if (!sampling.failure.empty()) throw Error(ErrorKind::failed, "GL has failed before");
+    Image image = renderer.denoised([this](float fraction) {
+      if (progress_.due()) progress_.show(fmt::format("denoising, {}", percent(fraction)));
+    });
+    progress_.clear();
+    report_.denoised = true;
+    report_.denoise = clock.seconds();
+    return image;
+  } catch (const Error& error) {
+    warn(fmt::format("the picture is not denoised: {}", error.what()));
+    return sampling.picture.radiance;
+  }
+}
+
 // All that an .exr holds. What GL fails in is left out, and told.
-ImageLayers RenderCommand::layersFor(const Sampling& sampling, const Scene& scene,
-                                     Renderer& renderer) {
+ImageLayers RenderCommand::layersFor(const Sampling& sampling, const Image& shown,
+                                     const Scene& scene, Renderer& renderer) {
   const Picture& picture = sampling.picture;
-  ImageLayers layers = layersOf(picture.radiance);
+  ImageLayers layers = layersOf(shown);
   if (options_.share)
     layers = layersOf(Share{{{options_.share->first, picture.samples}},
                             sha256Of(inputsOf(scene, report_.settings).dump()),
@@ -252,6 +274,7 @@ ImageLayers RenderCommand::layersFor(const Sampling& sampling, const Scene& scen
                             picture.pixel_samples,
                             picture.spread});
   if (options_.layers.empty() || !sampling.failure.empty()) return layers;
+  if (shown.denoised) addUndenoised(layers, picture.radiance);
   try {
     addAuxiliaryLayers(layers, options_.layers, picture, renderer);
   } catch (const Error& error) {
@@ -263,15 +286,16 @@ ImageLayers RenderCommand::layersFor(const Sampling& sampling, const Scene& scen
 // A file that cannot be written does not keep the others from being written.
 void RenderCommand::writePictures(const Sampling& sampling, const Scene& scene,
                                   Renderer& renderer) {
+  const Image shown = denoised(sampling, renderer);
   const float exposure = exposureOf(options_.picture, scene);
   const Tone tone = toneOf(options_.picture, scene);
   std::exception_ptr first_error;
   for (const auto& output : options_.outputs) {
     try {
       if (imageFormatOf(output) == ImageFormat::exr)
-        writeLayers(output, layersFor(sampling, scene, renderer));
+        writeLayers(output, layersFor(sampling, shown, scene, renderer));
       else
-        writePicture(output, sampling.picture.radiance, exposure, tone);
+        writePicture(output, shown, exposure, tone);
     } catch (const Error&) {
       if (!first_error) first_error = std::current_exception();
     }

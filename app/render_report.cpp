@@ -18,6 +18,7 @@ Json secondsOf(const RenderReport& report) {
           {"first_sample", rounded(report.first_sample)},
           {"render", rounded(report.render)},
           {"noise", rounded(report.statistics.noise_seconds)},
+          {"denoise", rounded(report.denoise)},
           {"total", rounded(report.total)},
           {"measure_limits", rounded(report.measure_limits)}};
 }
@@ -132,6 +133,7 @@ Json jsonOf(const RenderReport& report) {
                {"seconds", secondsOf(report)},
                {"rays", raysOf(report)},
                {"noise", noiseOf(report)},
+               {"denoised", report.denoised},
                {"ended_by", nameOf(report.ended_by)},
                {"truncation", nullptr},
                {"enough_bounces", nullptr},
@@ -175,9 +177,11 @@ std::string summaryOf(const RenderReport& report) {
   // "llvmpipe (LLVM 15.0.6, 256 bits)" says more than the line has room for.
   const std::string& gl = report.context.renderer;
   const std::string device = gl.substr(0, gl.find(" ("));
-  return fmt::format("{}: {} in {:.1f} s ({:.3g} samples/s){}{}, {}, {}, {}", files,
+  const std::string denoised =
+      report.denoised ? fmt::format(", denoised in {:.1f} s", report.denoise) : "";
+  return fmt::format("{}: {} in {:.1f} s ({:.3g} samples/s){}{}{}, {}, {}, {}", files,
                      samplesText(report), report.render, report.samples / report.render,
-                     noiseText(report), limitsText(report),
+                     noiseText(report), denoised, limitsText(report),
                      counted(report.statistics.triangles, "triangle"), traversalOf(report), device);
 }
 

@@ -29,11 +29,13 @@ struct RenderReport {
   std::optional<LimitError> limits;  // none where the noise is not known
   EndedBy ended_by = EndedBy::samples;
   std::vector<ForecastRow> forecast;  // where it was asked for
+  bool denoised = false;              // the pictures; all figures are those of the samples
   // Seconds. `first_sample` is how long after the start the first sample was complete; `total` is
   // the whole command, from the start until the pictures were written.
   double load = 0;
   double first_sample = 0;
   double render = 0;
+  double denoise = 0;
   double total = 0;
   double measure_limits = 0;  // what came after that
   std::vector<std::string> warnings;

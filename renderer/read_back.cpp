@@ -10,8 +10,8 @@ namespace glimt {
 namespace {
 
 // Rows from the top, of those that GL has from the bottom.
-template <typename Value, typename ValueOf>
-std::vector<Value> fromTop(const std::vector<Vec4>& texels, const Film& film,
+template <typename Value, typename Sized, typename ValueOf>
+std::vector<Value> fromTop(const std::vector<Vec4>& texels, const Sized& film,
                            const ValueOf& valueOf) {
   std::vector<Value> values;
   values.reserve(texels.size());
@@ -117,6 +117,13 @@ FirstHits readFirstHits(PathTracer& tracer, int rays) {
     hits.coverage[i] /= static_cast<float>(rays);
   }
   return hits;
+}
+
+Image readDenoised(Image picture, const gl::Target& denoised) {
+  picture.pixels = fromTop<Vec3>(denoised.readFloats(), denoised,
+                                 [](const Vec4& texel) { return Vec3(texel); });
+  picture.denoised = true;
+  return picture;
 }
 
 DisplayImage readDisplay(const gl::Target& target) {

@@ -16,6 +16,9 @@ Losses readLosses(const PathTracer& tracer, const Rest& rest);
 // The means over so many camera rays. To be called at a sample's start.
 FirstHits readFirstHits(PathTracer& tracer, int rays);
 
+// The picture with the colours of what the denoiser made of it.
+Image readDenoised(Image picture, const gl::Target& denoised);
+
 DisplayImage readDisplay(const gl::Target& target);
 
 }  // namespace glimt

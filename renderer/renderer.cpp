@@ -12,6 +12,7 @@
 #include "renderer/gl/context.h"
 #include "renderer/gl/errors.h"
 #include "renderer/gl/float_target.h"
+#include "renderer/passes/denoiser.h"
 #include "renderer/passes/noise_meter.h"
 #include "renderer/passes/path_tracer.h"
 #include "renderer/passes/scene_tree.h"
@@ -68,6 +69,10 @@ PathTracerSettings tracerSettings(const RenderSettings& settings) {
   return out;
 }
 
+gl::Texture zeroTexel(const gl::Device& device) {
+  return gl::Texture::floats(device.gl(), device.floatForm(), 1, 1, {Vec4(0)});
+}
+
 std::array<double, kPassCount> filled(double value) {
   std::array<double, kPassCount> values;
   values.fill(value);
@@ -87,7 +92,8 @@ class Renderer::State {
                          buildSceneTree(scene, device.maxTextureSize(), progress))),
         tracer(device, scene, tracerSettings(settings), *tree, progress),
         trial(tracer.candidates()),
-        noise(device) {
+        noise(device),
+        denoiser_(device) {
     tracer.resize(settings.width, settings.height);
     restart();
   }
@@ -111,9 +117,20 @@ class Renderer::State {
     tracer.use(trial.traversal());
     sample_seconds_ = 0;
     noise.restart(tracer.film().width(), tracer.film().height());
+    denoiser_.restart();
   }
 
-  void drawDisplay(int width, int height, float exposure, Tone tone) {
+  const gl::Target& denoise(const WorkProgress& progress) {
+    while (tracer.samples() == 0 || !tracer.atSampleStart()) drawTile();
+    return watched([&]() -> const gl::Target& { return denoiser_.denoise(tracer, progress); });
+  }
+
+  // Null where the samples themselves are shown.
+  const gl::Target* denoisedFor(Shown shown) {
+    return shown == Shown::denoised ? &denoise({}) : nullptr;
+  }
+
+  void drawDisplay(const gl::Target* denoised, int width, int height, float exposure, Tone tone) {
     if (!display_ || tone_ != tone) {
       ShaderRequest request;
       request.pass = Pass::display;
@@ -125,6 +142,11 @@ class Renderer::State {
     display_->use();
     display_->set("uZero", Vec4(0));
     tracer.accumulation().bind(*display_);
+    if (denoised) {
+      if (no_block_.width() == 0) no_block_ = zeroTexel(device);
+      display_->set("uMean", denoised->texture());
+      display_->set("uBlock", no_block_);
+    }
     display_->set("uDisplaySize", Vec2(width, height));
     display_->set("uExposureScale", std::exp2(exposure));
     device.draw({0, 0, width, height});
@@ -189,6 +211,8 @@ class Renderer::State {
     }
   }
 
+  Denoiser denoiser_;
+  gl::Texture no_block_;  // stands for the block of a picture that has none
   std::optional<gl::Program> display_;
   Tone tone_ = Tone::srgb;  // of that program
   bool failed_ = false;
@@ -280,6 +304,11 @@ Image Renderer::radiance() {
   return picture().radiance;
 }
 
+Image Renderer::denoised(const WorkProgress& progress) {
+  const gl::Target& denoised = state_->denoise(progress);
+  return readDenoised(radiance(), denoised);
+}
+
 FirstHits Renderer::firstHits(int rays) {
   while (!state_->tracer.atSampleStart()) state_->drawTile();
   return readFirstHits(state_->tracer, rays);
@@ -298,19 +327,24 @@ std::optional<std::uint32_t> Renderer::loopLimit() {
   return findLoopLimit(state_->device, kMost);
 }
 
-DisplayImage Renderer::display(float exposure, Tone tone) {
+DisplayImage Renderer::display(float exposure, Tone tone, Shown shown) {
   const Film& film = state_->tracer.film();
+  const gl::Target* const denoised = state_->denoisedFor(shown);
   const gl::Target target(gl::Texture::bytes(state_->device.gl(), film.width(), film.height()));
   target.bind();
-  state_->drawDisplay(film.width(), film.height(), exposure, tone);
-  return readDisplay(target);
+  state_->drawDisplay(denoised, film.width(), film.height(), exposure, tone);
+  DisplayImage image = readDisplay(target);
+  image.denoised = denoised != nullptr;
+  return image;
 }
 
-void Renderer::present(int framebuffer_width, int framebuffer_height, float exposure, Tone tone) {
+void Renderer::present(int framebuffer_width, int framebuffer_height, float exposure, Tone tone,
+                       Shown shown) {
   const gl::Functions& gl = state_->device.gl();
+  const gl::Target* const denoised = state_->denoisedFor(shown);
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
   gl.Viewport(0, 0, framebuffer_width, framebuffer_height);
-  state_->drawDisplay(framebuffer_width, framebuffer_height, exposure, tone);
+  state_->drawDisplay(denoised, framebuffer_width, framebuffer_height, exposure, tone);
 }
 
 std::map<std::string, std::string> Renderer::shaders() const {

@@ -145,6 +145,9 @@ struct FirstHits {
   std::vector<float> coverage;  // share of the rays that met anything
 };
 
+// Which picture is shown.
+enum class Shown { samples, denoised };
+
 class Renderer {
  public:
   // Builds the tree, uploads the scene and compiles the programs that the scene calls for. The
@@ -202,6 +205,13 @@ class Renderer {
   Picture picture();
   Image radiance();  // of it
 
+  // The picture with less noise, for previews: an edge-avoiding filter, guided by what is seen and
+  // by how sure the samples are. The picture stays as it is, and so does noise(), which is that of
+  // the samples. A sample under way is completed first; there is one at least. It knows best how
+  // sure they are with RenderSettings::keep_spread. Compiled when it is called first; called again
+  // it takes a part of the time. `progress` as the constructor's. Errors: as renderSample's.
+  Image denoised(const WorkProgress& progress = {});
+
   // The means over so many of the first rays of each pixel, of those that meet something. The
   // picture stays as it is; a sample under way is completed first. Errors: as renderSample's.
   FirstHits firstHits(int rays);
@@ -223,12 +233,12 @@ class Renderer {
   std::optional<std::uint32_t> loopLimit();
 
   // The picture as a display shows it: radiance * 2^exposure, brought into 0 to 1 by the tone,
-  // sRGB-encoded.
-  DisplayImage display(float exposure, Tone tone = Tone::srgb);
+  // sRGB-encoded. Denoised it takes as long as denoised(), and so it does in present().
+  DisplayImage display(float exposure, Tone tone = Tone::srgb, Shown shown = Shown::samples);
 
   // Draws the same into the window's framebuffer, scaled to its size in pixels.
   void present(int framebuffer_width, int framebuffer_height, float exposure,
-               Tone tone = Tone::srgb);
+               Tone tone = Tone::srgb, Shown shown = Shown::samples);
 
   RenderStatistics statistics() const;
 

@@ -154,6 +154,7 @@ BatchJob readBatchJob(const fs::path& path) {
                            "time",
                            "noise",
                            "even",
+                           "denoise",
                            "environment",
                            "environment_rotation",
                            "environment_strength",
@@ -185,6 +186,9 @@ BatchJob readBatchJob(const fs::path& path) {
   job.picture = readPicture(fields);
   job.limits = readLimits(fields);
   job.even = fields.boolean("even").value_or(false);
+  job.denoise = fields.boolean("denoise").value_or(false);
+  if (job.denoise && std::count(job.formats.begin(), job.formats.end(), "pfm") > 0)
+    fields.reject("denoise", "false where a format is pfm, which cannot tell of it");
   job.backend = readBackend(fields);
   if (auto& image = job.picture.environment.image;
       image && *image != "studio" && *image != "sun-sky")

@@ -32,6 +32,7 @@ struct BatchJob {
   PictureOptions picture;                   // but for its size and the camera's name
   Limits limits;
   bool even = false;  // every pixel has all samples, also with a limit on the noise
+  bool denoise = false;
   Backend backend = Backend::automatic;
 };
 

@@ -30,13 +30,18 @@ const Scene& BatchRenderer::sceneOf(const BatchPicture& picture) {
 RenderSettings BatchRenderer::settingsOf(const BatchPicture& picture) {
   PictureOptions options = job_.picture;
   options.size = picture.size;
-  return glimt::settingsOf(options, sceneOf(picture));
+  RenderSettings settings = glimt::settingsOf(options, sceneOf(picture));
+  settings.keep_spread = job_.denoise;
+  return settings;
 }
 
 Sampling BatchRenderer::render(const BatchPicture& picture, const Interrupt& interrupt,
                                const WorkProgress& progress, const SamplingListener& listener) {
   prepare(picture, progress);
-  return sampleUntil(*renderer_, job_.limits, interrupt, listener);
+  Sampling sampling = sampleUntil(*renderer_, job_.limits, interrupt, listener);
+  if (job_.denoise && sampling.ended_by != EndedBy::interrupt && sampling.failure.empty())
+    sampling.picture.radiance = renderer_->denoised();
+  return sampling;
 }
 
 void BatchRenderer::prepare(const BatchPicture& picture, const WorkProgress& progress) {

@@ -32,6 +32,7 @@ Json jsonOf(const ManifestEntry& entry) {
   json["size"] = entry.size;
   json["samples"] = entry.samples;
   json["noise"] = entry.noise ? Json(rounded(*entry.noise, 1e6)) : Json();
+  if (entry.denoised) json["denoised"] = true;
   json["seconds"] = rounded(entry.seconds, 1e3);
   json["sha256"] = entry.sha256;
   json["inputs"] = entry.inputs;
@@ -47,6 +48,7 @@ ManifestEntry entryOf(const Json& json) {
   entry.size = json.at("size");
   entry.samples = json.at("samples");
   if (!json.at("noise").is_null()) entry.noise = json.at("noise").get<double>();
+  entry.denoised = json.value("denoised", false);
   entry.seconds = json.at("seconds");
   entry.sha256 = json.at("sha256");
   entry.inputs = json.at("inputs");

@@ -22,6 +22,7 @@ struct ManifestEntry {
   double seconds = 0;           // of sampling
   std::string sha256;           // of the file
   std::string inputs;           // SHA-256 of what the picture depends on
+  bool denoised = false;        // the file; the noise is that of its samples
 };
 
 struct ManifestFailure {

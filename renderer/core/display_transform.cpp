@@ -76,7 +76,7 @@ Vec3 shownLight(const Vec3& radiance, float scale, Tone tone) {
 
 DisplayImage displayImage(const Image& radiance, float exposure, Tone tone) {
   const float scale = std::exp2(exposure);
-  DisplayImage display{radiance.width, radiance.height, {}};
+  DisplayImage display{radiance.width, radiance.height, {}, {}, radiance.denoised};
   display.bytes.reserve(3 * radiance.pixels.size());
   for (std::size_t i = 0; i < radiance.pixels.size(); ++i) {
     // What covers a part of a pixel is as bright as if it covered the whole.

@@ -16,6 +16,7 @@ struct Image {
   // How much of each pixel is covered, 0 to 1, the radiance being that of what covers it
   // (associated alpha); empty: all of all.
   std::vector<float> alpha = {};
+  bool denoised = false;  // its noise is not all there any more, which files of it tell
 };
 
 // Display values, sRGB-encoded, three bytes a pixel; rows from the top, pixels from the left.
@@ -24,6 +25,7 @@ struct DisplayImage {
   int height = 0;
   std::vector<std::uint8_t> bytes;
   std::vector<std::uint8_t> alpha = {};  // of each pixel, not multiplied with it; empty: opaque
+  bool denoised = false;  // as Image's
 };
 
 }  // namespace glimt

@@ -13,12 +13,17 @@ namespace glimt {
 // 16-bit PNGs and files of many channels can have within 2 GiB of memory.
 inline constexpr long long kMostPixels = 1LL << 26;
 
+// How files of a denoised picture say so: a text chunk, an attribute or a line of the header.
+inline constexpr const char* kDenoisedKey = "denoised";
+inline constexpr const char* kDenoisedText = "by glimt: less noise than its samples have";
+
 // Throws Error input unless the size is sensible and the file is long enough to hold the pixels,
 // given how many pixels one byte can hold at most in its format.
 void demandPlausibleSize(long long width, long long height, std::size_t bytes,
                          double most_pixels_per_byte);
 
-// Portable float map: RGB or grey, rows from the bottom. Written little-endian.
+// Portable float map: RGB or grey, rows from the bottom. Written little-endian. Has no room for
+// what a picture says of itself.
 Image decodePfm(std::string_view bytes);
 std::string encodePfm(const Image& image);
 

@@ -113,6 +113,12 @@ std::array<int, 3> colorChannels(const EXRHeader& header) {
   return channels;
 }
 
+bool hasAttribute(const EXRHeader& header, const char* name) {
+  for (int i = 0; i < header.num_custom_attributes; ++i)
+    if (std::strcmp(header.custom_attributes[i].name, name) == 0) return true;
+  return false;
+}
+
 void copyPixels(const EXRImage& source, const std::array<int, 3>& channels, Image& image) {
   for (int c = 0; c < 3; ++c) {
     const int channel = channels[static_cast<std::size_t>(c)];
@@ -171,6 +177,7 @@ Image decodeExr(std::string_view bytes) {
     bad("damaged EXR picture");
   }
   copyPixels(pixels.image, channels, image);
+  image.denoised = hasAttribute(header, kDenoisedKey);
   return image;
 }
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <utility>
+#include <string>
 
 #include "renderer/core/error.h"
 #include "renderer/core/image_codecs.h"
@@ -14,6 +14,9 @@ namespace {
 
 // The largest value that eight bits with the exponent 127 can hold.
 constexpr float kLargestRgbe = 0x1.fep126f;
+
+// Of a line of the header.
+const std::string kDenoisedStart = std::string(kDenoisedKey) + "=";
 
 // stb cuts the eight bits off; values that are rounded to them beforehand do not grow darker.
 Vec3 roundedToRgbe(Vec3 value) {
@@ -47,9 +50,10 @@ class Decoder {
   explicit Decoder(std::string_view bytes) : rest_(bytes) {}
 
   Image decode() {
-    const auto [width, height] = takeHeader();
+    Image image = takeHeader();
+    const int width = image.width;
+    const int height = image.height;
     demandPlausibleSize(width, height, rest_.size(), 256);
-    Image image{width, height, {}};
     image.pixels.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     std::vector<Rgbe> row(static_cast<std::size_t>(width));
     for (int y = 0; y < height; ++y) {
@@ -73,20 +77,21 @@ class Decoder {
     return line;
   }
 
-  std::pair<int, int> takeHeader() {
+  // A picture without pixels yet.
+  Image takeHeader() {
     if (!takeLine().starts_with("#?")) bad("not a Radiance picture");
+    Image image;
     bool rgbe = false;
     for (std::string_view line = takeLine(); !line.empty(); line = takeLine()) {
       rgbe = rgbe || line == "FORMAT=32-bit_rle_rgbe";
+      image.denoised = image.denoised || line.starts_with(kDenoisedStart);
     }
     if (!rgbe) bad("the Radiance picture is not of the format 32-bit_rle_rgbe");
     const std::string line(takeLine());
-    int width = 0;
-    int height = 0;
-    if (std::sscanf(line.c_str(), "-Y %9d +X %9d", &height, &width) != 2) {
+    if (std::sscanf(line.c_str(), "-Y %9d +X %9d", &image.height, &image.width) != 2) {
       bad("the Radiance picture's rows do not run from the top and the left");
     }
-    return {width, height};
+    return image;
   }
 
   unsigned char takeByte() {
@@ -161,6 +166,8 @@ std::string encodeHdr(const Image& image) {
   for (Vec3& pixel : pixels) pixel = roundedToRgbe(pixel);
   std::string bytes;
   stbi_write_hdr_to_func(append, &bytes, image.width, image.height, 3, &pixels.data()->x);
+  if (image.denoised)
+    bytes.insert(bytes.find('\n') + 1, kDenoisedStart + kDenoisedText + '\n');
   return bytes;
 }
 

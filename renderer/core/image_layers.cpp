@@ -4,6 +4,7 @@
 
 #include "renderer/core/error.h"
 #include "renderer/core/file.h"
+#include "renderer/core/image_codecs.h"
 #include "renderer/core/image_file.h"
 #include "renderer/core/wording.h"
 
@@ -23,6 +24,7 @@ ImageLayers layersOf(const Image& image) {
     for (const Vec3& pixel : image.pixels) channel.push_back(pixel[c]);
   }
   if (!image.alpha.empty()) layers.channels["A"] = image.alpha;
+  if (image.denoised) layers.notes[kDenoisedKey] = kDenoisedText;
   return layers;
 }
 

@@ -19,7 +19,7 @@ struct ImageLayers {
   std::map<std::string, std::string> notes;  // attributes of type string
 };
 
-// The picture as R, G, B and, where it has one, A.
+// The picture as R, G, B and, where it has one, A; with a note where it is denoised.
 ImageLayers layersOf(const Image& image);
 
 // 32-bit floats. Errors: failed.

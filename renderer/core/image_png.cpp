@@ -9,6 +9,7 @@
 
 #include "renderer/core/error.h"
 #include "renderer/core/image_codecs.h"
+#include "renderer/core/png_chunks.h"
 #include "renderer/core/png_data.h"
 #include "renderer/core/srgb.h"
 #include "renderer/core/wording.h"
@@ -26,6 +27,24 @@ std::array<float, 256> linearTable() {
 void append(void* bytes, void* data, int size) {
   static_cast<std::string*>(bytes)->append(static_cast<const char*>(data),
                                            static_cast<std::size_t>(size));
+}
+
+std::string encodePixels(const DisplayImage& image) {
+  std::string bytes;
+  if (!image.alpha.empty()) {
+    std::vector<std::uint8_t> texels;
+    texels.reserve(4 * image.alpha.size());
+    for (std::size_t i = 0; i < image.alpha.size(); ++i) {
+      texels.insert(texels.end(), &image.bytes[3 * i], &image.bytes[3 * i] + 3);
+      texels.push_back(image.alpha[i]);
+    }
+    stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, texels.data(),
+                           4 * image.width);
+    return bytes;
+  }
+  stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, image.bytes.data(),
+                         3 * image.width);
+  return bytes;
 }
 
 }  // namespace
@@ -57,25 +76,13 @@ Image decodePng(std::string_view bytes) {
     const stbi_uc* value = values.get() + 3 * i;
     image.pixels[i] = Vec3(linear[value[0]], linear[value[1]], linear[value[2]]);
   }
+  image.denoised = hasPngText(bytes, kDenoisedKey);
   return image;
 }
 
 std::string encodePng(const DisplayImage& image) {
-  std::string bytes;
-  if (!image.alpha.empty()) {
-    std::vector<std::uint8_t> texels;
-    texels.reserve(4 * image.alpha.size());
-    for (std::size_t i = 0; i < image.alpha.size(); ++i) {
-      texels.insert(texels.end(), &image.bytes[3 * i], &image.bytes[3 * i] + 3);
-      texels.push_back(image.alpha[i]);
-    }
-    stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, texels.data(),
-                           4 * image.width);
-    return bytes;
-  }
-  stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, image.bytes.data(),
-                         3 * image.width);
-  return bytes;
+  const std::string bytes = encodePixels(image);
+  return image.denoised ? withPngText(bytes, kDenoisedKey, kDenoisedText) : bytes;
 }
 
 }  // namespace glimt

@@ -7,13 +7,11 @@
 #include <string>
 
 #include "renderer/core/error.h"
+#include "renderer/core/png_chunks.h"
 
 namespace glimt {
 namespace {
 
-constexpr std::size_t kSignature = 8;
-// A chunk is its length, its name, its content, and a checksum.
-constexpr std::size_t kAroundContent = 12;
 // Writers may add something behind the last row, which nobody looks at.
 constexpr std::int64_t kSpare = 1 << 16;
 // stb_image holds the packed data, the unpacked ones and the pixels at the same time.
@@ -38,18 +36,11 @@ struct PngData {
 
 PngData dataOf(std::string_view bytes) {
   PngData data;
-  bytes.remove_prefix(kSignature);
-  while (bytes.size() >= kAroundContent) {
-    const std::uint32_t length = numberAt(bytes, 0);
-    const std::string_view name = bytes.substr(4, 4);
-    if (length > bytes.size() - kAroundContent) bad("the PNG picture ends too early");
-    const std::string_view content = bytes.substr(8, length);
-    if (name == "IEND") break;
+  for (const auto& [name, content] : pngChunksOf(bytes)) {
     // Apple's variant, whose data are packed in another way.
     if (name == "CgBI") bad("a PNG picture of the kind that only Apple's programs read");
     if (name == "IHDR" && data.header.empty()) data.header = content;
     if (name == "IDAT") data.packed += content;
-    bytes.remove_prefix(kAroundContent + length);
   }
   if (data.header.size() != 13) bad("damaged PNG picture (no header)");
   return data;

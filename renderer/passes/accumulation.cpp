@@ -78,9 +78,9 @@ void Accumulation::endBlock() {
   block_.clear();
 }
 
-void Accumulation::bind(gl::Program& program) const {
-  program.set("uMean", mean_.front().texture());
-  program.set("uBlock", block_.front().texture());
+void Accumulation::bind(gl::Program& program, const char* mean, const char* block) const {
+  program.set(mean, mean_.front().texture());
+  program.set(block, block_.front().texture());
 }
 
 std::vector<Vec4> Accumulation::readMean() const {

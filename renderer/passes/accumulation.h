@@ -36,7 +36,9 @@ class Accumulation {
   void endBlock();
 
   // Hands both parts to a program that includes sample_mean.glsl.
-  void bind(gl::Program& program) const;
+  void bind(gl::Program& program) const { bind(program, "uMean", "uBlock"); }
+  // The same under other names.
+  void bind(gl::Program& program, const char* mean, const char* block) const;
 
   // The mean so far, and in the fourth channel the number of its samples. Rows from the bottom.
   std::vector<Vec4> readMean() const;

@@ -96,8 +96,8 @@ bool PathTracer::marksEnded(int bounce) const {
 }
 
 PathTracer::ProgramKey PathTracer::keyOf(Pass pass) const {
-  const bool traces =
-      pass == Pass::camera || pass == Pass::trace || pass == Pass::light || pass == Pass::first_hit;
+  const bool traces = pass == Pass::camera || pass == Pass::trace || pass == Pass::light ||
+                      pass == Pass::first_hit || pass == Pass::delta;
   EffectSet effects = effects_;
   if (pass != Pass::camera) effects = withCamera(effects, Camera());
   return {traces ? traversal_ : "", pass, effects.to_ulong()};
@@ -257,29 +257,6 @@ std::size_t PathTracer::stageAfter() const {
   const auto sum = std::find_if(stages_.begin(), stages_.end(), adds) - stages_.begin();
   const auto next = stage_ + 1;
   return alive_now_ ? next % stages_.size() : std::max(next, static_cast<std::size_t>(sum));
-}
-
-std::vector<Vec4> PathTracer::firstHits(int sample, int wanted) {
-  const Stage camera{Pass::camera, 0};
-  const gl::Tile whole{0, 0, film_.width(), film_.height()};
-  if (!programs_.contains(keyOf(Pass::first_hit))) compilePass(Pass::first_hit);
-  gl::clearErrors(device_->gl());
-  gl::Program& rays = program(Pass::camera);
-  bindPath(rays, camera, first_sample_ + static_cast<std::uint32_t>(sample));
-  bindCamera(rays, camera_, film_.width(), film_.height());
-  film_.record.back().bind();
-  device_->draw(whole);
-  film_.record.swap();
-
-  const gl::Target told(
-      gl::Texture::floats(device_->gl(), device_->floatForm(), film_.width(), film_.height()));
-  gl::Program& hits = program(Pass::first_hit);
-  bindPath(hits, camera, first_sample_ + static_cast<std::uint32_t>(sample));
-  hits.set("uWanted", static_cast<float>(wanted));
-  told.bind();
-  device_->draw(whole);
-  gl::checkErrors(device_->gl(), "drawing the pass " + nameOf(Pass::first_hit));
-  return told.readFloats();
 }
 
 void PathTracer::takeBackSample() {

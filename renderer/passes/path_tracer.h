@@ -1,6 +1,7 @@
 // The ping-pong loop: one pass per bounce, each cut into tiles.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,6 +21,9 @@
 #include "renderer/shader/records.h"
 
 namespace glimt {
+
+// What is told of a path to the denoiser, in as many targets.
+inline constexpr std::size_t kGuides = 2;
 
 struct PathTracerSettings {
   int bounces = 4;
@@ -95,6 +99,11 @@ class PathTracer {
   // be called at a sample's start; which one it is does not matter to those of the picture.
   std::vector<Vec4> firstHits(int sample, int wanted);
 
+  // What the paths of a sample come to, as guide.glsl tells it, one target for each that can be
+  // wanted there: the first surface that is no mirror and no smooth glass. To be called at a
+  // sample's start; which one it is does not matter to those of the picture.
+  void drawGuides(int sample, const std::array<const gl::Target*, kGuides>& targets);
+
   // Right after the draw that completed a sample: it is not counted. Pixels that have it keep it,
   // each with its own number of samples.
   void takeBackSample();
@@ -119,6 +128,10 @@ class PathTracer {
     Pass pass;
     int bounce;
   };
+
+  gl::Tile whole() const { return {0, 0, film_.width(), film_.height()}; }
+  void drawFirstRays(std::uint32_t sample);
+  bool drawDeltaRays(const Stage& stage, std::uint32_t sample);
 
   // Programs are kept by what they are composed from: the traversal in them, none for those without
   // one, the pass, and the effects that it may depend on.

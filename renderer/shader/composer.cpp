@@ -25,13 +25,18 @@ constexpr unsigned kTrace = bit(Pass::trace);
 constexpr unsigned kEscape = bit(Pass::escape);
 constexpr unsigned kLight = bit(Pass::light);
 constexpr unsigned kWholePath = bit(Pass::display) << 1;  // no pass; see composePathProbe
-constexpr unsigned kFirstHit = bit(Pass::first_hit);
-// What the pass of first hits does not call the compiler leaves out.
-constexpr unsigned kPaths = kCamera | kTrace | kLight | kFirstHit | kWholePath;
-constexpr unsigned kBounces = kTrace | kLight | kFirstHit | kWholePath;  // start from a hit record
+constexpr unsigned kDelta = bit(Pass::delta);
+constexpr unsigned kScatter = kTrace | kDelta;  // from a hit record to the next
+constexpr unsigned kGuide = bit(Pass::guide);
+constexpr unsigned kTell = bit(Pass::first_hit) | kGuide;  // of what a path has met
+// What the passes that tell of a hit do not call the compiler leaves out.
+constexpr unsigned kBounces = kScatter | kLight | kTell | kWholePath;  // start from a hit record
+constexpr unsigned kPaths = kCamera | kBounces;
 constexpr unsigned kNoise = bit(Pass::keep) | bit(Pass::change);
-constexpr unsigned kMeans =
-    bit(Pass::accumulate) | bit(Pass::close_block) | kNoise | bit(Pass::display);
+constexpr unsigned kFilter = bit(Pass::neighbours) | bit(Pass::atrous);
+constexpr unsigned kDenoiser = bit(Pass::prepare) | kFilter | bit(Pass::finish);
+constexpr unsigned kMeans = bit(Pass::accumulate) | bit(Pass::close_block) | kNoise |
+                            bit(Pass::prepare) | bit(Pass::finish) | bit(Pass::display);
 constexpr unsigned kArrivals = kLight | kWholePath;  // ask for the light at a hit
 
 // When a file is part of a shader: where the scene calls for one of some effects, and for none of
@@ -96,7 +101,8 @@ constexpr const char* kTone = "tone_*.glsl";
 const auto kPieces = std::to_array<Piece>({
     {"layout.h", kPaths | bit(Pass::change) | bit(Pass::accumulate), {}},
     {"picture.glsl",
-     kPaths | kEscape | bit(Pass::accumulate) | bit(Pass::close_block) | kNoise,
+     kPaths | kEscape | bit(Pass::accumulate) | bit(Pass::close_block) | bit(Pass::guide_sum) | kNoise |
+         kDenoiser,
      {}},
     {"constants.glsl", kPaths | kEscape, {}},
     {"sample_points.glsl", kPaths, {}},
@@ -161,29 +167,39 @@ const auto kPieces = std::to_array<Piece>({
     {"environment_map.glsl", kBounces | kEscape, with(Effect::environment_map)},
     {"light_sample.glsl", kArrivals, {}},
     {"radiance_target.glsl", kLight | kEscape, {}},
-    {"seen_by_camera.glsl", kTrace | kLight | kEscape, with(Effect::transparent_background)},
-    {"shadow_catcher.glsl", kTrace | kLight, with(Effect::shadow_catcher)},
-    {kRecordInput, kTrace | kEscape | kLight | kFirstHit, {}},
-    {kRecordOutput, kCamera | kTrace, {}},
-    {"absorption.glsl", kCamera | kTrace | kWholePath, with(Effect::absorption)},
-    {"trace.glsl", kCamera | kTrace | kWholePath, {}},
+    {"seen_by_camera.glsl", kScatter | kGuide | kLight | kEscape, with(Effect::transparent_background)},
+    {"shadow_catcher.glsl", kScatter | kGuide | kLight, with(Effect::shadow_catcher)},
+    {kRecordInput, kScatter | kEscape | kLight | kTell, {}},
+    {kRecordOutput, kCamera | kScatter, {}},
+    {"absorption.glsl", kCamera | kScatter | kWholePath, with(Effect::absorption)},
+    {"trace.glsl", kCamera | kScatter | kWholePath, {}},
     {"trace_pass.glsl", kCamera | kTrace, {}},
+    {"delta_pass.glsl", kDelta, {}},
     {"escape.glsl", kEscape | kWholePath, with(Effect::environment)},
     {"escape_pass.glsl", kEscape, {}},
+    {"emitted_radiance.glsl", kArrivals | kGuide, {}},
     {"light.glsl", kArrivals, {}},
     {"luminance.glsl", kLight, with(Effect::shadow_catcher)},
     {"caught_light.glsl", kLight, with(Effect::shadow_catcher)},
     {"light_pass.glsl", kLight, {}},
-    {"first_hit.glsl", kFirstHit, {}},
+    {"first_hit.glsl", bit(Pass::first_hit), {}},
+    {"guide.glsl", kGuide, {}},
+    {"guide_sum.glsl", bit(Pass::guide_sum), {}},
     {"whole_path.glsl", kWholePath, {}},
     {"sample_mean.glsl", kMeans, {}},
     {kAccumulated, bit(Pass::accumulate), {}},
     {kClamp, bit(Pass::accumulate), {}},
     {"accumulate.glsl", bit(Pass::accumulate), {}},
     {"close_block.glsl", bit(Pass::close_block), {}},
-    {"luminance.glsl", kNoise, {}},
+    {"luminance.glsl", kNoise | bit(Pass::prepare) | kFilter, {}},
     {"keep_luminance.glsl", bit(Pass::keep), {}},
     {"change.glsl", bit(Pass::change), {}},
+    {"guides.glsl", kDenoiser, {}},
+    {"guide_weight.glsl", kFilter, {}},
+    {"denoise_prepare.glsl", bit(Pass::prepare), {}},
+    {"neighbour_variance.glsl", bit(Pass::neighbours), {}},
+    {"atrous.glsl", bit(Pass::atrous), {}},
+    {"denoise_finish.glsl", bit(Pass::finish), {}},
     {"display_transform.glsl", bit(Pass::display), {}},
     {kTone, bit(Pass::display), {}},
     {"display.glsl", bit(Pass::display), {}},
@@ -214,7 +230,7 @@ std::string capitalsOf(Effect effect) {
 std::map<std::string, bool> answers(unsigned pass, const ShaderRequest& request) {
   std::map<std::string, bool> values = {
       {"FROM_CAMERA", (pass & (kCamera | kWholePath)) != 0},
-      {"FROM_RECORD", (pass & (kTrace | kWholePath)) != 0},
+      {"FROM_RECORD", (pass & (kScatter | kWholePath)) != 0},
       {"ADDITIVE_BLENDING", request.additive_blending},
       {"LIVE_ONLY", request.live_only},
       {"CLAMP", request.clamp},
@@ -303,8 +319,9 @@ std::string pieces(unsigned pass, const ShaderRequest& request) {
 }  // namespace
 
 std::string nameOf(Pass pass) {
-  constexpr std::array kNames{"camera",      "trace",     "escape", "light",  "accumulate",
-                              "close block", "first hit", "keep",   "change", "display"};
+  constexpr std::array kNames{"camera",    "trace",       "escape", "light",   "accumulate", "close block",
+                              "first hit", "delta", "guide",  "guide sum", "keep",   "change", "prepare", "neighbours", "atrous", "finish",  "display"};
+  static_assert(kNames.size() == kPassCount);
   return kNames[static_cast<std::size_t>(pass)];
 }
 

@@ -18,11 +18,18 @@ enum class Pass {
   accumulate,   // radiance -> sum of a block of samples
   close_block,  // sum of a block -> mean
   first_hit,    // hit record of the camera's ray -> what it has met
+  delta,        // hit record on a mirror or smooth glass -> what it shows
+  guide,        // hit record -> what the denoiser knows of it
+  guide_sum,    // that -> the sum over paths
   keep,         // mean -> its luminance, kept
   change,       // mean and what was kept -> by how much it has changed
+  prepare,      // mean -> light without the colour of what is seen, and its variance
+  neighbours,   // that without the variance -> that with it
+  atrous,       // that -> the same with less noise
+  finish,       // that -> denoised mean
   display,      // mean -> display values
 };
-inline constexpr std::size_t kPassCount = 10;
+inline constexpr std::size_t kPassCount = 17;
 
 // What of a sample the accumulate pass sums.
 enum class Accumulated {
@@ -56,8 +63,8 @@ std::string composeVertexShader(int gles = 2);
 // Errors: usage, for a traversal or a record that does not exist.
 std::string composeFragmentShader(const ShaderRequest& request);
 
-// The same for a pass that depends on nothing but itself: accumulate, close_block, keep, change,
-// display.
+// The same for a pass that depends on nothing but itself: accumulate, close_block, guide_sum, keep,
+// change, prepare, neighbours, atrous, finish, display.
 std::string composeFragmentShader(Pass pass);
 
 // A fragment shader from the prelude, the named files and some text of the caller's own: for probes

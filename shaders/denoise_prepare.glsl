@@ -1,0 +1,31 @@
+// The denoiser's first pass: the picture's light without the colour of what is seen; and in the fourth
+// channel the variance of its luminance, 0 for pixels that are to stay as they are, -1 where it is not
+// known.
+uniform sampler2D uMean;
+uniform sampler2D uBlock;
+uniform sampler2D uSquares;
+uniform sampler2D uSquaresBlock;
+uniform float uSpreadKnown;  // 1 where the squares are there and the samples are enough, else 0
+
+// Samples that differ by less, relative and squared, differ by rounding.
+const float ALIKE = 1.0e-5;
+
+// Of a pixel's mean luminance, as if its samples were independent.
+float varianceOfMean(float luminance, float square, float samples) {
+  float variance = square - luminance * luminance;
+  return variance > ALIKE * square ? variance / max(samples - 1.0, 1.0) : 0.0;
+}
+
+void main() {
+  vec2 at = pictureAddress(pixelCenter());
+  vec4 mean = meanWithBlock(texture2D(uMean, at), texture2D(uBlock, at));
+  float square = meanWithBlock(texture2D(uSquares, at), texture2D(uSquaresBlock, at)).x;
+  Guide guide = fetchGuide(at);
+  vec3 own = demodulator(guide);
+  float light = luminance(mean.rgb);
+  float divided = luminance(mean.rgb / own);
+  float scale = divided / max(light, 1.0e-30);
+  float variance = varianceOfMean(light, square, mean.w) * scale * scale;
+  if (uSpreadKnown < 0.5) variance = -1.0;
+  writeTexel(vec4(mean.rgb / own, guide.coverage > 0.0 ? variance : 0.0));
+}

@@ -1,0 +1,28 @@
+// The pass that tells the denoiser what a path has come to, whose pixels without a path keep what the
+// target holds: by uWanted
+//   0: by what the light of neighbours is comparable: base colour and emission, times the
+//   throughput; 1 where the path has met a surface, 0 where it sees the environment
+//   1: unit shading normal; metres along the view
+uniform float uWanted;
+uniform vec3 uCameraPosition;
+uniform vec3 uCameraForward;
+
+void main() {
+  vec2 pixel = pixelCenter();
+  HitRecord record;
+  bool live = readRecord(pixel, record) && record.triangle != TRIANGLE_UNKNOWN;
+  if (!live) discard;
+  bool hit = record.triangle < TRIANGLE_UNKNOWN;
+  vec3 environment = vec3(1.0);
+#if TRANSPARENT_BACKGROUND
+  if (isSeen()) environment = vec3(0.0);
+#endif
+#if SHADOW_CATCHER
+  hit = hit && !isShadowCatcher(record);
+#endif
+  Surface surface = surfaceOf(record);
+  vec3 color = baseColorOf(surface) + emittedRadiance(record, surface);
+  vec4 look = vec4(record.throughput * (hit ? color : environment), hit ? 1.0 : 0.0);
+  vec4 place = vec4(surface.normal, dot(surface.position - uCameraPosition, uCameraForward));
+  writeTexel(uWanted < 0.5 ? look : (hit ? place : vec4(0.0)));
+}
