@@ -2,7 +2,7 @@
 // "Edge-avoiding A-Trous wavelet transform for fast global illumination filtering"), whose edges are
 // those of the guides, and those of the light as far as they exceed its noise (Schied et al. 2017,
 // "Spatiotemporal variance-guided filtering", section 4.4).
-uniform sampler2D uLight;  // demodulated; variance of its luminance
+uniform sampler2D uLight;  // demodulated; variance of its luminance, or STAYS
 uniform float uSpacing;    // pixels between taps
 
 // Standard deviations of the luminance that are no edge yet.
@@ -22,10 +22,15 @@ float smoothedVariance(vec2 pixel) {
       vec2 offset = vec2(x, y);
       vec2 at = pictureAddress(pixel + offset);
       float weight = isInside(at) ? 1.0 / (1.0 + dot(offset, offset)) : 0.0;
-      sum += weight * texture2D(uLight, at).a;
+      sum += weight * max(texture2D(uLight, at).a, 0.0);
       weights += weight;
     }
   return sum / weights;
+}
+
+// A pixel on an edge shows both sides of it: no other one is like it, but those close by are its parts.
+float strictnessOf(Guide guide) {
+  return mix(0.05, 1.0, smoothstep(0.9, 1.0, length(guide.normal)));
 }
 
 void main() {
@@ -34,7 +39,8 @@ void main() {
   Guide guide = fetchGuide(pictureAddress(pixel));
   vec2 slope = depthSlope(pixel, guide.depth);
   float light = luminance(own.rgb);
-  float deviation = LIGHT_TOLERANCE * sqrt(smoothedVariance(pixel)) + 1.0e-20;
+  float variance = smoothedVariance(pixel);
+  float strictness = uSpacing < 1.5 ? strictnessOf(guide) : 1.0;
   vec4 sum = vec4(0.0);
   float weights = 0.0;
   for (int y = -2; y <= 2; ++y)
@@ -43,13 +49,14 @@ void main() {
       vec2 at = pictureAddress(pixel + offset);
       vec4 other = texture2D(uLight, at);
       float weight = splineWeight(float(x)) * splineWeight(float(y)) *
-                     guideWeight(guide, fetchGuide(at), slope, offset) *
-                     exp(-abs(luminance(other.rgb) - light) / deviation);
+                     pow(guideWeight(guide, fetchGuide(at), slope, offset), strictness) *
+                     exp(-abs(luminance(other.rgb) - light) /
+                         (LIGHT_TOLERANCE * sqrt(max(variance, other.a)) + 1.0e-20));
       if (x == 0 && y == 0) weight = 0.140625;
       if (!isInside(at)) weight = 0.0;
-      sum += vec4(weight * other.rgb, weight * weight * other.a);
+      sum += vec4(weight * other.rgb, weight * weight * max(other.a, 0.0));
       weights += weight;
     }
   vec4 filtered = vec4(sum.rgb / weights, sum.a / (weights * weights));
-  writeTexel(own.a > 0.0 ? filtered : own);
+  writeTexel(own.a < 0.0 ? own : filtered);
 }

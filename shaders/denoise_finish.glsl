@@ -9,5 +9,5 @@ void main() {
   vec4 mean = meanWithBlock(texture2D(uMean, at), texture2D(uBlock, at));
   vec4 light = texture2D(uLight, at);
   vec3 denoised = light.rgb * demodulator(fetchGuide(at));
-  writeTexel(vec4(light.a > 0.0 ? denoised : mean.rgb, mean.w));
+  writeTexel(vec4(light.a < 0.0 ? mean.rgb : denoised, mean.w));
 }

@@ -1,6 +1,5 @@
 // The denoiser's first pass: the picture's light without the colour of what is seen; and in the fourth
-// channel the variance of its luminance, 0 for pixels that are to stay as they are, -1 where it is not
-// known.
+// channel the variance of its luminance, or STAYS.
 uniform sampler2D uMean;
 uniform sampler2D uBlock;
 uniform sampler2D uSquares;
@@ -16,6 +15,13 @@ float varianceOfMean(float luminance, float square, float samples) {
   return variance > ALIKE * square ? variance / max(samples - 1.0, 1.0) : 0.0;
 }
 
+// What is seen without a surface has no noise, and neither has a pixel whose samples are all alike. One
+// that has found no light at all may have had bad luck.
+bool stays(float coverage, float luminance, float variance) {
+  bool sure = uSpreadKnown > 0.5 && variance == 0.0 && luminance > 0.0;
+  return coverage == 0.0 || sure;
+}
+
 void main() {
   vec2 at = pictureAddress(pixelCenter());
   vec4 mean = meanWithBlock(texture2D(uMean, at), texture2D(uBlock, at));
@@ -26,6 +32,5 @@ void main() {
   float divided = luminance(mean.rgb / own);
   float scale = divided / max(light, 1.0e-30);
   float variance = varianceOfMean(light, square, mean.w) * scale * scale;
-  if (uSpreadKnown < 0.5) variance = -1.0;
-  writeTexel(vec4(mean.rgb / own, guide.coverage > 0.0 ? variance : 0.0));
+  writeTexel(vec4(mean.rgb / own, stays(guide.coverage, light, variance) ? STAYS : variance));
 }

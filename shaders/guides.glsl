@@ -3,6 +3,9 @@ uniform sampler2D uLooks;
 uniform sampler2D uPlaces;
 uniform float uGuideRays;
 
+// Stands for the variance of a pixel that is left as it is.
+const float STAYS = -1.0;
+
 struct Guide {
   vec3 color;
   float coverage;  // share of the paths that met a surface

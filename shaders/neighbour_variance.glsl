@@ -1,6 +1,6 @@
 // The denoiser's pass for pictures of which nobody knows the spread of the samples: the variance of a
 // pixel is that of the light of its neighbours on the same surface (Schied et al. 2017, section 4.2).
-uniform sampler2D uLight;  // demodulated; below 0 where its variance is to be told
+uniform sampler2D uLight;  // demodulated
 
 void main() {
   vec2 pixel = pixelCenter();
@@ -23,5 +23,5 @@ void main() {
     }
   float mean = sum / weights;
   float variance = max(squares / weights - mean * mean, 0.0);
-  writeTexel(vec4(own.rgb, own.a < 0.0 ? variance : own.a));
+  writeTexel(vec4(own.rgb, own.a < 0.0 ? own.a : variance));
 }
