@@ -46,9 +46,9 @@ std::string textOf(const ImageDifference& d, double flip) {
 // Which of them have been denoised: a difference is then no measure of noise.
 std::string denoisedText(const Image& image, const Image& reference) {
   if (!image.denoised && !reference.denoised) return "";
-  const char* const which =
-      image.denoised ? (reference.denoised ? "both pictures" : "the first picture")
-                     : "the second picture";
+  const char* const which = image.denoised
+                                ? (reference.denoised ? "both pictures" : "the first picture")
+                                : "the second picture";
   return fmt::format("denoised    {}\n", which);
 }
 

@@ -120,8 +120,8 @@ FirstHits readFirstHits(PathTracer& tracer, int rays) {
 }
 
 Image readDenoised(Image picture, const gl::Target& denoised) {
-  picture.pixels = fromTop<Vec3>(denoised.readFloats(), denoised,
-                                 [](const Vec4& texel) { return Vec3(texel); });
+  picture.pixels =
+      fromTop<Vec3>(denoised.readFloats(), denoised, [](const Vec4& texel) { return Vec3(texel); });
   picture.denoised = true;
   return picture;
 }

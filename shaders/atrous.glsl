@@ -28,6 +28,14 @@ float smoothedVariance(vec2 pixel) {
   return sum / weights;
 }
 
+// By how much the light of two pixels may differ that is the same. Close by the noisier one decides, so
+// that rare bright pixels give their light to their neighbours, and the mean stays; farther away the
+// pixel itself, so that noisy light does not spill over the edges of shadows.
+float deviationOf(float own, float other) {
+  float variance = uSpacing < 3.0 ? max(own, other) : own;
+  return LIGHT_TOLERANCE * sqrt(variance) + 1.0e-20;
+}
+
 // A pixel on an edge shows both sides of it: no other one is like it, but those close by are its parts.
 float strictnessOf(Guide guide) {
   return mix(0.05, 1.0, smoothstep(0.9, 1.0, length(guide.normal)));
@@ -51,7 +59,7 @@ void main() {
       float weight = splineWeight(float(x)) * splineWeight(float(y)) *
                      pow(guideWeight(guide, fetchGuide(at), slope, offset), strictness) *
                      exp(-abs(luminance(other.rgb) - light) /
-                         (LIGHT_TOLERANCE * sqrt(max(variance, other.a)) + 1.0e-20));
+                         deviationOf(variance, other.a));
       if (x == 0 && y == 0) weight = 0.140625;
       if (!isInside(at)) weight = 0.0;
       sum += vec4(weight * other.rgb, weight * weight * max(other.a, 0.0));

@@ -6,8 +6,8 @@ uniform sampler2D uSquares;
 uniform sampler2D uSquaresBlock;
 uniform float uSpreadKnown;  // 1 where the squares are there and the samples are enough, else 0
 
-// Samples that differ by less, relative and squared, differ by rounding.
-const float ALIKE = 1.0e-5;
+// Of the squared luminance: samples that differ by a hundredth differ by the rounding of hit records.
+const float ALIKE = 1.0e-4;
 
 // Of a pixel's mean luminance, as if its samples were independent.
 float varianceOfMean(float luminance, float square, float samples) {

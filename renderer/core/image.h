@@ -25,7 +25,7 @@ struct DisplayImage {
   int height = 0;
   std::vector<std::uint8_t> bytes;
   std::vector<std::uint8_t> alpha = {};  // of each pixel, not multiplied with it; empty: opaque
-  bool denoised = false;  // as Image's
+  bool denoised = false;                 // as Image's
 };
 
 }  // namespace glimt

@@ -166,8 +166,7 @@ std::string encodeHdr(const Image& image) {
   for (Vec3& pixel : pixels) pixel = roundedToRgbe(pixel);
   std::string bytes;
   stbi_write_hdr_to_func(append, &bytes, image.width, image.height, 3, &pixels.data()->x);
-  if (image.denoised)
-    bytes.insert(bytes.find('\n') + 1, kDenoisedStart + kDenoisedText + '\n');
+  if (image.denoised) bytes.insert(bytes.find('\n') + 1, kDenoisedStart + kDenoisedText + '\n');
   return bytes;
 }
 

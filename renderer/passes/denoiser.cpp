@@ -69,12 +69,10 @@ void Denoiser::drawLight(const PathTracer& tracer) {
 
 const gl::Target& Denoiser::denoise(PathTracer& tracer, const WorkProgress& progress) {
   prepare(tracer.film());
-  guides_.extend(tracer, std::min(tracer.samples(), kMostRays),
-                 partOf(progress, 0, kGuidesShare));
+  guides_.extend(tracer, std::min(tracer.samples(), kMostRays), partOf(progress, 0, kGuidesShare));
   drawLight(tracer);
   for (int level = 0; level < kLevels; ++level) {
-    if (progress)
-      progress(std::lerp(kGuidesShare, 1.0f, static_cast<float>(level) / kLevels));
+    if (progress) progress(std::lerp(kGuidesShare, 1.0f, static_cast<float>(level) / kLevels));
     atrous_->use();
     atrous_->set("uSpacing", std::exp2(static_cast<float>(level)));
     draw(*atrous_, Pass::atrous);

@@ -14,8 +14,8 @@ void Guides::prepare(const Film& film) {
   const int height = film.height();
   for (std::size_t i = 0; i < kGuides; ++i) {
     if (path_[i].width() != width || path_[i].height() != height) {
-      path_[i] = gl::Target(
-          gl::Texture::floats(device_->gl(), device_->floatForm(), width, height));
+      path_[i] =
+          gl::Target(gl::Texture::floats(device_->gl(), device_->floatForm(), width, height));
       sums_[i] = TargetPair(*device_, width, height);
     }
     sums_[i].clear();

@@ -101,8 +101,8 @@ constexpr const char* kTone = "tone_*.glsl";
 const auto kPieces = std::to_array<Piece>({
     {"layout.h", kPaths | bit(Pass::change) | bit(Pass::accumulate), {}},
     {"picture.glsl",
-     kPaths | kEscape | bit(Pass::accumulate) | bit(Pass::close_block) | bit(Pass::guide_sum) | kNoise |
-         kDenoiser,
+     kPaths | kEscape | bit(Pass::accumulate) | bit(Pass::close_block) | bit(Pass::guide_sum) |
+         kNoise | kDenoiser,
      {}},
     {"constants.glsl", kPaths | kEscape, {}},
     {"sample_points.glsl", kPaths, {}},
@@ -320,8 +320,10 @@ std::string pieces(unsigned pass, const ShaderRequest& request) {
 }  // namespace
 
 std::string nameOf(Pass pass) {
-  constexpr std::array kNames{"camera",    "trace",       "escape", "light",   "accumulate", "close block",
-                              "first hit", "delta", "guide",  "guide sum", "keep",   "change", "prepare", "neighbours", "atrous", "finish",  "display"};
+  constexpr std::array kNames{"camera",      "trace",     "escape",  "light",      "accumulate",
+                              "close block", "first hit", "delta",   "guide",      "guide sum",
+                              "keep",        "change",    "prepare", "neighbours", "atrous",
+                              "finish",      "display"};
   static_assert(kNames.size() == kPassCount);
   return kNames[static_cast<std::size_t>(pass)];
 }

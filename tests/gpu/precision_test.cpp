@@ -59,10 +59,10 @@ TEST_CASE("texels, pixel centres beyond 2048 and calculated numbers are exact, t
 TEST_CASE("every pass writes its texel once, under no condition") {
   const std::string prelude = shaderText("prelude.glsl");
   for (const Record& record : records())
-    for (const Pass pass : {Pass::camera, Pass::trace, Pass::escape, Pass::light, Pass::accumulate,
-                            Pass::close_block, Pass::first_hit, Pass::delta, Pass::guide,
-                            Pass::guide_sum, Pass::keep, Pass::change, Pass::prepare,
-                            Pass::neighbours, Pass::atrous, Pass::finish, Pass::display}) {
+    for (const Pass pass :
+         {Pass::camera, Pass::trace, Pass::escape, Pass::light, Pass::accumulate, Pass::close_block,
+          Pass::first_hit, Pass::delta, Pass::guide, Pass::guide_sum, Pass::keep, Pass::change,
+          Pass::prepare, Pass::neighbours, Pass::atrous, Pass::finish, Pass::display}) {
       CAPTURE(record.name, nameOf(pass));
       ShaderRequest request;
       request.pass = pass;

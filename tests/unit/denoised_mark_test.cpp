@@ -25,7 +25,8 @@ TEST_CASE("a text in a PNG has the checksum that readers ask for, and the pictur
   const std::string png = encodePng({2, 1, {0, 0, 0, 255, 255, 255}});
   const std::string with_text = withPngText(png, "Title", "glimt");
   // The checksum is that of zlib's crc32.
-  CHECK(with_text.find(std::string("tEXtTitle\0glimt", 15) + "\x66\xe3\x0d\xd6") != std::string::npos);
+  CHECK(with_text.find(std::string("tEXtTitle\0glimt", 15) + "\x66\xe3\x0d\xd6") !=
+        std::string::npos);
   CHECK(hasPngText(with_text, "Title"));
   CHECK_FALSE(hasPngText(with_text, "title"));
   CHECK_FALSE(hasPngText(png, "Title"));
