@@ -15,8 +15,7 @@ namespace {
 // How many programs were made. One that does not compile or link is an error that names its pass.
 int compileAll(const gl::Device& device, const EffectSet& effects) {
   int programs = 0;
-  for (const Pass pass :
-       {Pass::camera, Pass::trace, Pass::escape, Pass::light, Pass::delta, Pass::guide}) {
+  for (const Pass pass : {Pass::camera, Pass::trace, Pass::escape, Pass::light}) {
     ShaderRequest request;
     request.pass = pass;
     request.effects = withImplied(effects);
