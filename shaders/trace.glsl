@@ -34,9 +34,11 @@ PathRay scatteredRay(HitRecord record, bool ended, vec4 random) {
   // A direction that the shading normal allows may lead below the triangle. Where the ray starts
   // above it, it may still pass its edge; otherwise it meets the triangle again, from the same side.
   vec3 origin = leaveSurface(surface.position, surface.geometric, surface.error_scale);
+  side_left = 2.0 * record.back - 1.0;
 #if GLASS || ROUGH_GLASS
   if (bounce.wi.z < 0.0) {
     origin = passSurface(surface);
+    side_left = -side_left;
     wanted = wanted && dot(direction, surface.geometric) < 0.0;
   }
 #endif

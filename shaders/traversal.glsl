@@ -14,7 +14,7 @@
 
 struct Hit {
   float triangle;  // index, or TRIANGLE_NONE, or TRIANGLE_UNKNOWN where the traversal was cut short
-  float t;
+  float t;         // see orderOf
   vec3 volumes;    // see triangle.glsl
   float material;  // index
   float area;      // square metres
@@ -28,6 +28,17 @@ bool isInTheWay(float t) {
 #else
   return t >= 0.0;
 #endif
+}
+
+// The sign of facingOf() where the ray meets the side that it has left; 0 where it has left none.
+float side_left = 0.0;
+
+// What a distance is multiplied with to tell what the ray meets first. Beside an edge behind which the
+// surface turns away, a ray meets both faces, and rounding may take the second one for the first: a
+// path inside a closed mesh would go on outside. There, what shows the side that the ray has left is
+// first.
+float orderOf(vec3 volumes) {
+  return facingOf(volumes) * side_left < 0.0 ? 1.00001 : 1.0;
 }
 
 // Directions along an axis would multiply zero by infinity.

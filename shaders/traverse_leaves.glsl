@@ -12,11 +12,12 @@ Hit closestHit(vec3 origin, vec3 direction, bool wanted) {
     for (int k = 0; k < MAX_STEPS; k++) {
       TriangleData data = fetchTriangle(index);
       TriangleHit met = intersectTriangle(origin, direction, data.v0, data.v1, data.v2, hit.t);
-      bool in_the_way = isInTheWay(met.t);
+      float ordered = met.t * orderOf(met.volumes);
+      bool in_the_way = isInTheWay(met.t) && ordered < hit.t;
 #if ALPHA
       in_the_way = stopsPath(data, index, met, in_the_way);
 #endif
-      if (in_the_way) hit = Hit(index, met.t, met.volumes, data.material, data.area);
+      if (in_the_way) hit = Hit(index, ordered, met.volumes, data.material, data.area);
       if (data.last) break;
       index += 1.0;
     }
