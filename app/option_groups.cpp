@@ -128,6 +128,11 @@ void addSampling(CLI::App& command, PictureOptions& picture) {
         const bool random = parseChoice("--sampler", text, {"sobol", "random"}) == "random";
         picture.sampler = random ? Sampler::random : Sampler::sobol;
       });
+  add(command, "--roulette", "on|off",
+      "Whether paths that carry little light may end at random: faster, as exact in the mean (on)",
+      [&](const std::string& text) {
+        picture.roulette = parseChoice("--roulette", text, {"on", "off"}) == "on";
+      });
   add(command, "--background", "scene|transparent",
       "What is behind the scene: its environment, or nothing, as alpha in .png and .exr (scene)",
       [&](const std::string& text) {

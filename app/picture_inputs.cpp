@@ -12,6 +12,7 @@ Json inputsOf(const Scene& scene, const RenderSettings& settings) {
           {"seed", settings.seed},
           {"record", settings.record},
           {"sampler", static_cast<int>(settings.sampler)},
+          {"roulette", settings.roulette},
           {"clamp", settings.clamp ? Json(*settings.clamp) : Json()}};
 }
 

@@ -33,6 +33,7 @@ struct PictureOptions {
   std::string traversal = "auto";
   std::string record = "packed";
   Sampler sampler = Sampler::sobol;
+  bool roulette = true;
   std::optional<float> clamp;
   int gles = 2;
 };

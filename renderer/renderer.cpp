@@ -63,6 +63,7 @@ gl::Device deviceFor(gl::Context& context, const std::string& traversal, std::si
 PathTracerSettings tracerSettings(const RenderSettings& settings) {
   PathTracerSettings out{settings.bounces, settings.seed,    settings.traversal,
                          settings.record,  settings.sampler, settings.clamp};
+  out.roulette = settings.roulette;
   out.first_sample = settings.first_sample;
   out.squares = settings.keep_spread;
   out.path_lengths = settings.keep_path_lengths;

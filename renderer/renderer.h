@@ -91,6 +91,8 @@ struct RenderSettings {
   std::string record = "packed";   // how hits are kept: "packed", or "wide", which needs ES 3.0
   Sampler sampler = Sampler::sobol;
   std::optional<float> clamp;  // see LightLimits; none: samples are as bright as they are
+  bool roulette = true;        // paths that carry little light may end at random: less work, as
+                               // exact in the mean
   // Of the sequence of samples: those before are drawn elsewhere.
   int first_sample = 0;
   // What is kept beside the radiance, at the price of one more draw a sample each.
@@ -107,8 +109,9 @@ struct RenderStatistics {
   std::vector<std::string> warnings;  // what could not be kept as the scene has it
   double bvh_seconds = 0;
   double compile_seconds = 0;
-  // Rays per picture of one sample, counted in the first one. Shadow rays
-  // are counted as one for each hit: some are not cast, since no light can arrive.
+  // Rays per picture of one sample, counted in the first one. Shadow rays are counted as one for each
+  // hit, though some are not cast, since no light can arrive; bounce rays as one for each path that
+  // scatters, though roulette ends some paths there.
   double camera_rays = 0;
   double bounce_rays = 0;
   double shadow_rays = 0;

@@ -28,16 +28,20 @@ vec3 leaveSurface(vec3 point, vec3 normal, float error_scale) {
 
 // Barycentric weights of a point that rays can leave. Where two faces meet at an acute angle, a ray
 // that starts beside their edge and above the one face may start behind the other: not when it is
-// sixteen times as far from the edge as from the face, and the angle is above 3.6 degrees. A triangle
-// too small for that gives up a tenth of its height.
+// sixteen times as far from the edge as from the face, and the angle is above 3.6 degrees. No point
+// is moved by more than some 64 times that distance from the face, or a tenth of the triangle: thin
+// triangles leave less room.
 vec2 awayFromEdges(vec3 v0, vec3 v1, vec3 v2, vec2 uv, float error_scale) {
   vec3 a = v1 - v0;
   vec3 b = v2 - v0;
   vec3 c = v2 - v1;
   vec3 normal = cross(a, b);
   vec3 lengths = sqrt(vec3(dot(c, c), dot(b, b), dot(a, a)));
-  float inner = 16.0 * LEAVE_DISTANCE * error_scale / max(sqrt(dot(normal, normal)), 1.0e-30);
+  float leave = LEAVE_DISTANCE * error_scale;
+  float inner = 16.0 * leave / max(sqrt(dot(normal, normal)), 1.0e-30);
+  float longest = max(lengths.x, max(lengths.y, lengths.z));
+  float most = min(64.0 * leave / max(longest, 1.0e-30), 0.1);
   vec3 weights = vec3(1.0 - uv.x - uv.y, uv);
-  weights = max(weights, min(inner * lengths, vec3(0.1)));
+  weights = max(weights, min(inner * lengths, vec3(most)));
   return vec2(weights.y, weights.z) / (weights.x + weights.y + weights.z);
 }

@@ -17,6 +17,9 @@ void main() {
 #if SHADOW_CATCHER && FROM_RECORD
   ray.wanted = ray.wanted && !isShadowCatcher(start);
 #endif
+#if FROM_RECORD
+  playRoulette(ray, random.w);
+#endif
   Hit hit = followRay(ray);
 
 #if FROM_CAMERA

@@ -109,6 +109,7 @@ PictureOptions readPicture(const JsonFields& fields) {
   picture.traversal = fields.text("traversal").value_or(picture.traversal);
   picture.record = choice(fields, "record", {"packed", "wide"}).value_or(picture.record);
   if (choice(fields, "sampler", {"sobol", "random"}) == "random") picture.sampler = Sampler::random;
+  picture.roulette = choice(fields, "roulette", {"on", "off"}) != "off";
   picture.clamp = fields.number("clamp", kLuminance);
   picture.gles = fields.integer("gles", kGles).value_or(picture.gles);
   return picture;
@@ -166,6 +167,7 @@ BatchJob readBatchJob(const fs::path& path) {
                            "traversal",
                            "record",
                            "sampler",
+                           "roulette",
                            "clamp",
                            "gles",
                            "backend"});

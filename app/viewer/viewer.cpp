@@ -41,6 +41,7 @@ RenderSettings settingsOf(const PictureOptions& options) {
   settings.traversal = options.traversal;
   settings.record = options.record;
   settings.sampler = options.sampler;
+  settings.roulette = options.roulette;
   settings.clamp = options.clamp;
   return settings;
 }

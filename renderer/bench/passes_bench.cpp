@@ -41,6 +41,7 @@ class BounceBench {
               const PassesBenchSettings& settings)
       : device_(&device), scene_(&scene), settings_(&settings) {
     path_.bounces = bounces;
+    path_.roulette = false;  // the same rays in all ways
     addPasses(tree);
     addWholePath(kLoop, PathForm::loop);
     addWholePath(kUnrolled, PathForm::unrolled);

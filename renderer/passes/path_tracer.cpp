@@ -24,6 +24,10 @@ constexpr int kTileStep = 64;
 // to be waited for.
 constexpr double kFewAlive = 0.01;
 
+// Weak paths may end from this bounce on. Behind the first surface the light of a dark one is all
+// that its pixel has.
+constexpr int kFirstRoulette = 2;
+
 // No sample that is finite is brighter.
 constexpr float kNeverClamped = 1e30f;
 
@@ -60,6 +64,7 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
       forced_(settings.forced),
       effects_(withForced(effectsOf(scene), forced_)),
       bounces_(settings.bounces),
+      roulette_(settings.roulette),
       live_only_(settings.live_only && canDrawLiveOnly(device)),
       accumulations_(device, settings.clamp, has(effects_, Effect::transparent_background),
                      settings.squares, settings.path_lengths),
@@ -307,6 +312,7 @@ void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
   if (stage.pass == Pass::camera || stage.pass == Pass::trace) {
     bindCamera(program, camera_, film_.width(), film_.height());
     program.set("uDeltaOnly", stage.bounce > bounces_ ? 1.0f : 0.0f);
+    program.set("uRoulette", roulette_ && stage.bounce >= kFirstRoulette ? 1.0f : 0.0f);
     film_.record.back().bind();
     drawRays(tile, state);
     return;

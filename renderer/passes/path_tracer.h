@@ -32,6 +32,7 @@ struct PathTracerSettings {
   std::string record = "packed";  // see records.h
   Sampler sampler = Sampler::sobol;
   std::optional<float> clamp = std::nullopt;  // see LightLimits
+  bool roulette = true;                       // weak paths may end at random
   bool live_only =
       true;  // passes are drawn for live paths only, where the device can; same picture
   // Effects that are compiled and run although the scene does not call for them, with what they
@@ -169,6 +170,7 @@ class PathTracer {
   EffectSet forced_;
   EffectSet effects_;
   int bounces_;
+  bool roulette_;
   bool live_only_;
   std::vector<gl::Tile> resting_;
   std::map<ProgramKey, gl::Program> programs_;

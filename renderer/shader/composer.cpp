@@ -174,6 +174,7 @@ const auto kPieces = std::to_array<Piece>({
     {kRecordOutput, kCamera | kScatter, {}},
     {"absorption.glsl", kCamera | kScatter | kWholePath, with(Effect::absorption)},
     {"trace.glsl", kCamera | kScatter | kWholePath, {}},
+    {"roulette.glsl", kTrace, {}},
     {"trace_pass.glsl", kCamera | kTrace, {}},
     {"delta_pass.glsl", kDelta, {}},
     {"escape.glsl", kEscape | kWholePath, with(Effect::environment)},
