@@ -109,9 +109,9 @@ struct RenderStatistics {
   std::vector<std::string> warnings;  // what could not be kept as the scene has it
   double bvh_seconds = 0;
   double compile_seconds = 0;
-  // Rays per picture of one sample, counted in the first one. Shadow rays are counted as one for each
-  // hit, though some are not cast, since no light can arrive; bounce rays as one for each path that
-  // scatters, though roulette ends some paths there.
+  // Rays per picture of one sample, counted in the first one. Shadow rays are counted as one for
+  // each hit, though some are not cast, since no light can arrive; bounce rays as one for each path
+  // that scatters, though roulette ends some paths there.
   double camera_rays = 0;
   double bounce_rays = 0;
   double shadow_rays = 0;

@@ -31,8 +31,8 @@ class EnvironmentMap {
   EnvironmentMap(const gl::Device& device, const Environment& environment,
                  const EffectSet& effects);
 
-  // Takes the environment's rotation and how bright it is. Its picture is the one that this was made
-  // of.
+  // Takes the environment's rotation and how bright it is. Its picture is the one that this was
+  // made of.
   void turn(const Environment& environment);
 
   void bind(gl::Program& program) const;

@@ -31,8 +31,8 @@ TEST_CASE("roulette ends weak paths, and what is left has the light of all") {
   const Outcome left = outcomeOf(true, kBounces);
   CHECK(all.mean == Approx(furnaceRadiance(0.5, kBounces)).epsilon(1e-4));
   CHECK(left.mean == Approx(all.mean).epsilon(1e-3));
-  // Two bounces of a half weaken no path; of the others each halves what is left. The ray that a path
-  // ends instead of is still counted.
+  // Two bounces of a half weaken no path; of the others each halves what is left. The ray that a
+  // path ends instead of is still counted.
   CHECK(left.bounce_rays / all.bounce_rays == Approx((3 + 31.0 / 32) / kBounces).epsilon(0.02));
 }
 
