@@ -10,27 +10,21 @@ vec3 reflectedRadiance(HitRecord record, Surface surface, vec4 random, bool want
                        float last) {
   vec3 origin = leaveSurface(surface.position, surface.geometric, surface.error_scale);
   Frame frame = frameAround(surface.normal);
-  LightSample light = sampleLight(surface, frame, origin, random);
   vec3 wo = outgoing(frame, record.direction);
-  vec3 wi = toFrame(frame, light.direction);
   Bsdf bsdf = fetchBsdf(surface, wo);
+  Reflection reflection = sampleReflection(surface, frame, bsdf, wo, origin, random, last > 0.5);
 #if ROUGH_GLASS
-  if (wi.z < 0.0) {
+  if (reflection.behind) {
     vec3 behind = passSurface(surface);
-    light.to += origin - behind;
+    reflection.to += origin - behind;
     origin = behind;
-    wanted = wanted && dot(light.direction, surface.geometric) < 0.0;
   }
-#else
-  wanted = wanted && wi.z > 0.0;
 #endif
-  wanted = wanted && light.possible && spreads(bsdf);
-  float visible = visibility(origin, light.to, light.far, wanted);
+  wanted = wanted && reflection.possible && spreads(bsdf);
+  float visible = visibility(origin, reflection.to, reflection.far, wanted);
   if (!wanted) return vec3(0.0);
   if (visible < 0.0) return RADIANCE_UNKNOWN;
-  bool alone = last > 0.5 || !light.by_chance;
-  float weight = alone ? 1.0 : powerHeuristic(light.pdf, pdfBsdf(bsdf, wo, wi));
-  return evalBsdf(bsdf, wo, wi) * light.radiance * (visible * weight / light.pdf);
+  return visible * reflection.radiance;
 }
 #endif
 

@@ -1,3 +1,11 @@
 // How light samples are divided among the kinds of light that a scene has: shares that sum to one,
 // of the environment, of triangles that emit, and of lights without triangles.
 uniform vec3 uLightShares;
+
+// What a light sample is worth against a ray that comes upon the same light: one that was chosen among
+// candidates is worth more.
+#if MANY_LIGHTS
+const float LIGHT_SAMPLE_WORTH = 2.0;
+#else
+const float LIGHT_SAMPLE_WORTH = 1.0;
+#endif

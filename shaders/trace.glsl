@@ -51,14 +51,15 @@ float emissionWeight(PathRay ray, Hit hit) {
   float weight = 1.0;
 #if TRIANGLE_LIGHTS
   if (hit.triangle < TRIANGLE_UNKNOWN) {
-    float density = fetchEmission(hit.material).density * uLightShares.y;
+    float density = LIGHT_SAMPLE_WORTH * fetchEmission(hit.material).density * uLightShares.y;
     float cosine = 0.25 * abs(facingOf(hit.volumes)) / hit.area;
     weight = powerHeuristic(ray.pdf, density * hit.t * hit.t / max(cosine, 1.0e-7));
   }
 #endif
 #if ENVIRONMENT
   if (hit.triangle == TRIANGLE_NONE)
-    weight = powerHeuristic(ray.pdf, uLightShares.x * environmentPdf(ray.direction, ray.cosine));
+    weight = powerHeuristic(ray.pdf, LIGHT_SAMPLE_WORTH * uLightShares.x *
+                                         environmentPdf(ray.direction, ray.cosine));
 #endif
   return weight;
 }

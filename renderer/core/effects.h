@@ -27,6 +27,7 @@ enum class Effect {
   alpha,                   // surfaces with holes, or that let a share of the light pass
   unlit,                   // surfaces that show their base colour as it is
   punctual_lights,         // points, spots and directions that light comes from
+  many_lights,             // so many places that light comes from that it pays to choose well
   lens,                    // a camera that is sharp at one distance
   orthographic,            // a camera whose rays are parallel
   transparent_background,  // the camera sees no light from outside the scene, and the picture has
@@ -34,7 +35,7 @@ enum class Effect {
   shadow_catcher,          // surfaces of which it sees the shadows on them alone
 };
 
-inline constexpr int kEffectCount = 23;
+inline constexpr int kEffectCount = 24;
 
 using EffectSet = std::bitset<kEffectCount>;
 
@@ -44,19 +45,30 @@ inline bool has(const EffectSet& effects, Effect effect) {
 
 // As the command line and, in capitals, the shaders call it.
 inline std::string nameOf(Effect effect) {
-  constexpr std::array<const char*, kEffectCount> kNames{
-      "triangle_lights", "environment",
-      "environment_map", "smooth_normals",
-      "gloss",           "mirror",
-      "glass",           "rough_glass",
-      "thin_walls",      "absorption",
-      "clearcoat",       "sheen",
-      "textures",        "emission_textures",
-      "normal_maps",     "vertex_colors",
-      "alpha",           "unlit",
-      "punctual_lights", "lens",
-      "orthographic",    "transparent_background",
-      "shadow_catcher"};
+  constexpr std::array<const char*, kEffectCount> kNames{"triangle_lights",
+                                                         "environment",
+                                                         "environment_map",
+                                                         "smooth_normals",
+                                                         "gloss",
+                                                         "mirror",
+                                                         "glass",
+                                                         "rough_glass",
+                                                         "thin_walls",
+                                                         "absorption",
+                                                         "clearcoat",
+                                                         "sheen",
+                                                         "textures",
+                                                         "emission_textures",
+                                                         "normal_maps",
+                                                         "vertex_colors",
+                                                         "alpha",
+                                                         "unlit",
+                                                         "punctual_lights",
+                                                         "many_lights",
+                                                         "lens",
+                                                         "orthographic",
+                                                         "transparent_background",
+                                                         "shadow_catcher"};
   return kNames[static_cast<std::size_t>(effect)];
 }
 

@@ -15,12 +15,21 @@ bool anyPositive(const Vec3& v) {
   return v.x > 0 || v.y > 0 || v.z > 0;
 }
 
+std::ptrdiff_t emittingTriangles(const Scene& scene) {
+  return std::count_if(scene.triangles.begin(), scene.triangles.end(),
+                       [&scene](const Triangle& triangle) {
+                         const Material& material = scene.materials[triangle.material];
+                         return !material.unlit && anyPositive(material.emission);
+                       });
+}
+
+std::ptrdiff_t shiningLights(const Scene& scene) {
+  return std::count_if(scene.lights.begin(), scene.lights.end(),
+                       [](const PunctualLight& light) { return anyPositive(light.intensity); });
+}
+
 EffectReport reportTriangleLights(const Scene& scene) {
-  const auto count = std::count_if(scene.triangles.begin(), scene.triangles.end(),
-                                   [&scene](const Triangle& triangle) {
-                                     const Material& material = scene.materials[triangle.material];
-                                     return !material.unlit && anyPositive(material.emission);
-                                   });
+  const auto count = emittingTriangles(scene);
   const std::string reason =
       count == 0 ? "no triangle emits"
                  : fmt::format("{} emit{}", counted(static_cast<std::size_t>(count), "triangle"),
@@ -96,13 +105,25 @@ bool reflects(const Material& material) {
 }
 
 EffectReport reportPunctualLights(const Scene& scene) {
-  const auto count = static_cast<std::size_t>(
-      std::count_if(scene.lights.begin(), scene.lights.end(),
-                    [](const PunctualLight& light) { return anyPositive(light.intensity); }));
+  const auto count = static_cast<std::size_t>(shiningLights(scene));
   const std::string reason =
       count == 0 ? "no light without triangles shines" : counted(count, "light") + " shine";
   return {Effect::punctual_lights, "punctual_lights", count > 0,
           count == 1 ? reason + "s" : reason};
+}
+
+EffectReport reportManyLights(const Scene& scene) {
+  // A rectangle is two triangles, and choosing among points of three rectangles saves little.
+  constexpr std::ptrdiff_t kFew = 6;
+  if (reportEnvironmentMap(scene).on)
+    return {Effect::many_lights, nameOf(Effect::many_lights), true, "the environment is a picture"};
+  const auto shining = emittingTriangles(scene) + shiningLights(scene);
+  const bool on = shining > kFew;
+  return {Effect::many_lights, nameOf(Effect::many_lights), on,
+          fmt::format("{} {}", counted(static_cast<std::size_t>(shining), "light"),
+                      shining == 1 ? "is few"
+                      : on         ? "are many"
+                                   : "are few")};
 }
 
 EffectReport reportTransparentBackground(const Scene& scene) {
@@ -174,6 +195,7 @@ std::vector<EffectReport> reportEffects(const Scene& scene) {
       reportMaterials(scene, Effect::alpha, passable, "letting light pass"),
       reportMaterials(scene, Effect::unlit, unlit, "unlit"),
       reportPunctualLights(scene),
+      reportManyLights(scene),
       reportLens(scene.camera),
       reportOrthographic(scene.camera),
       reportTransparentBackground(scene),

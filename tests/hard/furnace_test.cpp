@@ -44,8 +44,10 @@ double worstError(const Scene& scene, float albedo, int most_samples) {
     // The last surface samples lights only, which is noisy in corners: more samples where there are
     // few surfaces before it. Fewer would not do, so slow drivers take their time.
     const int samples = std::max(most_samples / bounces, 8);
-    const Image image = hardPicture(scene, settingsFor(32, bounces), samples);
-    worst = std::max(worst, relativeError(meanRadiance(image), furnaceRadiance(albedo, bounces)));
+    const double mean = middleOfThreeSeeds([&](std::uint32_t seed) {
+      return meanRadiance(hardPicture(scene, settingsFor(32, bounces, seed), samples));
+    });
+    worst = std::max(worst, relativeError(mean, furnaceRadiance(albedo, bounces)));
   }
   return worst;
 }
@@ -56,7 +58,7 @@ TEST_CASE("a closed box that emits and reflects holds the sum of its bounces") {
   for (const Bsdf& bsdf : kBsdfs)
     for (const float albedo : {1.0f, 0.5f})
       checkAtMost("shading", nameOf(bsdf, albedo) + ", box", kWhat,
-                  worstError(box(bsdf.material(albedo, 1)), albedo, albedo > 0.9f ? 1536 : 512),
+                  worstError(box(bsdf.material(albedo, 1)), albedo, albedo > 0.9f ? 512 : 192),
                   0.005);
 }
 

@@ -36,10 +36,15 @@ Scene panel(float luminance) {
 TEST_CASE("what a limit on bounces leaves out of a closed cube is the rest of its geometric sum") {
   const int bounces = GENERATE(0, 3);
   const double rest = 1 - furnaceRadiance(0.5, bounces) / 2;
-  const LimitError limits = limitsOf(furnace(0.5f), settingsFor(96, bounces), 0.01);
+  const auto limitsWith = [&](std::uint32_t seed) {
+    return limitsOf(furnace(0.5f), settingsFor(96, bounces, seed), 0.01);
+  };
   CAPTURE(bounces, rest);
-  CHECK(limits.light == Approx(rest).epsilon(0.05));
-  CHECK(limits.truncation == Approx(rest / kOfEven).epsilon(0.08));
+  CHECK(middleOfThreeSeeds([&](std::uint32_t seed) { return limitsWith(seed).light; }) ==
+        Approx(rest).epsilon(0.05));
+  CHECK(middleOfThreeSeeds([&](std::uint32_t seed) { return limitsWith(seed).truncation; }) ==
+        Approx(rest / kOfEven).epsilon(0.08));
+  const LimitError limits = limitsWith(1);
   CHECK(limits.both == limits.truncation);
   CHECK(limits.clamp == 0);
 }

@@ -128,6 +128,22 @@ TEST_CASE("a light that shines turns on punctual_lights and nothing else") {
   CHECK(effectsOf(scene).none());
 }
 
+TEST_CASE("light samples are chosen among where lights are many or the environment is a picture") {
+  Scene scene = sceneOf(1);
+  scene.lights.resize(6);
+  CHECK(reportOn(scene, Effect::many_lights).reason == "6 lights are few");
+  CHECK_FALSE(reportOn(scene, Effect::many_lights).on);
+  scene.lights.resize(7);
+  CHECK(reportOn(scene, Effect::many_lights).reason == "7 lights are many");
+  CHECK(has(effectsOf(scene), Effect::many_lights));
+
+  scene.lights.clear();
+  scene.environment.color = Vec3(1);
+  CHECK_FALSE(reportOn(scene, Effect::many_lights).on);
+  scene.environment.image = {2, 1, {Vec3(0), Vec3(1)}};
+  CHECK(reportOn(scene, Effect::many_lights).on);
+}
+
 TEST_CASE("a camera turns on the one effect that it is, in the scene and when it is exchanged") {
   Scene scene = sceneOf(1);
   scene.camera.aperture_radius = 0.5f;

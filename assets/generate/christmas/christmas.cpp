@@ -21,7 +21,7 @@ Demo makeChristmas() {
   addLight(model);
   const nlohmann::ordered_json scene = {
       {"camera",
-       {{"position", {0.15, 1.28, 4.6}}, {"target", {-0.05, 0.91, 0}}, {"vertical_fov", 30}}},
+       {{"position", {0.15, 1.28, 4.6}}, {"target", {-0.05, 0.93, 0}}, {"vertical_fov", 31.5}}},
       {"cameras",
        {{"ornaments",
          {{"position", {0.5, 1.15, 1.9}}, {"target", {0.2, 1.0, 0}}, {"vertical_fov", 24}}}}},
