@@ -11,6 +11,10 @@ constexpr double kRestSeconds = 0.2;
 // Nobody sees the noise of more: the viewer then rests.
 constexpr int kMostSamples = 65536;
 
+// Times the samples that a denoised picture was made of, before the next: the denoiser takes as
+// long as several samples.
+constexpr double kMoreToDenoise = 1.5;
+
 bool sameCamera(const Camera& a, const Camera& b) {
   return a.position == b.position && a.target == b.target && a.up == b.up &&
          a.vertical_fov == b.vertical_fov && a.orthographic_height == b.orthographic_height &&
@@ -23,6 +27,7 @@ bool sameLight(const View& a, const View& b) {
   Look displayed = a.look;
   displayed.exposure = b.look.exposure;
   displayed.tone = b.look.tone;
+  displayed.denoise = b.look.denoise;
   return a.scene == b.scene && displayed == b.look;
 }
 
@@ -135,16 +140,26 @@ bool WindowPicture::finished() const {
   return !changed() && (!renderer_ || (stage_ == Stage::full && samples() >= kMostSamples));
 }
 
+bool WindowPicture::denoises() const {
+  return view_.look.denoise && stage_ == Stage::full;
+}
+
 bool WindowPicture::hasNews() const {
-  return samples() > 0 && (samples() != shown_samples_ || shown_exposure_ != view_.look.exposure ||
-                           shown_tone_ != view_.look.tone);
+  if (samples() == 0) return false;
+  if (shown_samples_ == 0 || shown_exposure_ != view_.look.exposure ||
+      shown_tone_ != view_.look.tone || shown_denoised_ != denoises())
+    return true;
+  const double more = denoises() ? kMoreToDenoise * shown_samples_ : shown_samples_ + 1;
+  return samples() >= more;
 }
 
 DisplayImage WindowPicture::frame() {
   shown_samples_ = samples();
   shown_exposure_ = view_.look.exposure;
   shown_tone_ = view_.look.tone;
-  return renderer_->display(shown_exposure_, shown_tone_);
+  shown_denoised_ = denoises();
+  return renderer_->display(shown_exposure_, shown_tone_,
+                            shown_denoised_ ? Shown::denoised : Shown::samples);
 }
 
 PictureStatus WindowPicture::status() {

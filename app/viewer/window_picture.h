@@ -48,7 +48,9 @@ class WindowPicture {
   // Whether there is nothing left to do: nobody sees the noise of more samples.
   bool finished() const;
 
-  // Whether there is a sample, or another exposure or tone, that frame() has not given yet.
+  // Whether there is a sample, or another way to display them, that frame() has not given yet.
+  // Denoised a picture is given again when it has half as many samples more, and a preview is not
+  // denoised.
   bool hasNews() const;
   // Whether it is the first of what was asked for last, which somebody waits for.
   bool isFirst() const { return shown_samples_ == 0; }
@@ -75,6 +77,7 @@ class WindowPicture {
   void start(int divisor);
   double pixels() const;
   bool changed() const { return changed_; }
+  bool denoises() const;
 
   ContextHandle& context_;
   RenderSettings settings_;
@@ -99,6 +102,7 @@ class WindowPicture {
   int shown_samples_ = 0;
   float shown_exposure_ = 0;
   Tone shown_tone_ = Tone::srgb;
+  bool shown_denoised_ = false;
 };
 
 }  // namespace glimt

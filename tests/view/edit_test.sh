@@ -210,10 +210,10 @@ test_quit_while_loading() {
 }
 
 # Places in the panel, in pixels.
-metallic_y=439
+metallic_y=465
 middle=568 # of the picture
 variant_x=104
-variant_y=308
+variant_y=334
 
 write_scene
 start_display
