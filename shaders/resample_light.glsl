@@ -16,7 +16,7 @@ vec4 candidatePoint(vec4 random, float index) {
 Reflection sampleReflection(Surface surface, Frame frame, Bsdf bsdf, vec3 wo, vec3 origin,
                             vec4 random, bool alone) {
   // Independent of the candidates, which ask for few of the bits.
-  float choice = lowBits(random.w) + lowBits(random.z) * (1.0 / 2048.0);
+  float choice = lowBits(random.w, random.z);
   Reflection chosen = Reflection(vec3(1.0), 1.0, vec3(0.0), false, false);
   float sum = 0.0;
   for (int i = 0; i < LIGHT_CANDIDATES; ++i) {

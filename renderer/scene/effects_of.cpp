@@ -15,25 +15,25 @@ bool anyPositive(const Vec3& v) {
   return v.x > 0 || v.y > 0 || v.z > 0;
 }
 
-std::ptrdiff_t emittingTriangles(const Scene& scene) {
-  return std::count_if(scene.triangles.begin(), scene.triangles.end(),
-                       [&scene](const Triangle& triangle) {
-                         const Material& material = scene.materials[triangle.material];
-                         return !material.unlit && anyPositive(material.emission);
-                       });
+std::size_t emittingTriangles(const Scene& scene) {
+  const auto emits = [&scene](const Triangle& triangle) {
+    const Material& material = scene.materials[triangle.material];
+    return !material.unlit && anyPositive(material.emission);
+  };
+  return static_cast<std::size_t>(
+      std::count_if(scene.triangles.begin(), scene.triangles.end(), emits));
 }
 
-std::ptrdiff_t shiningLights(const Scene& scene) {
-  return std::count_if(scene.lights.begin(), scene.lights.end(),
-                       [](const PunctualLight& light) { return anyPositive(light.intensity); });
+std::size_t shiningLights(const Scene& scene) {
+  const auto shines = [](const PunctualLight& light) { return anyPositive(light.intensity); };
+  return static_cast<std::size_t>(std::count_if(scene.lights.begin(), scene.lights.end(), shines));
 }
 
 EffectReport reportTriangleLights(const Scene& scene) {
-  const auto count = emittingTriangles(scene);
+  const std::size_t count = emittingTriangles(scene);
   const std::string reason =
       count == 0 ? "no triangle emits"
-                 : fmt::format("{} emit{}", counted(static_cast<std::size_t>(count), "triangle"),
-                               count == 1 ? "s" : "");
+                 : fmt::format("{} emit{}", counted(count, "triangle"), count == 1 ? "s" : "");
   return {Effect::triangle_lights, "triangle_lights", count > 0, reason};
 }
 
@@ -105,7 +105,7 @@ bool reflects(const Material& material) {
 }
 
 EffectReport reportPunctualLights(const Scene& scene) {
-  const auto count = static_cast<std::size_t>(shiningLights(scene));
+  const std::size_t count = shiningLights(scene);
   const std::string reason =
       count == 0 ? "no light without triangles shines" : counted(count, "light") + " shine";
   return {Effect::punctual_lights, "punctual_lights", count > 0,
@@ -114,16 +114,14 @@ EffectReport reportPunctualLights(const Scene& scene) {
 
 EffectReport reportManyLights(const Scene& scene) {
   // A rectangle is two triangles, and choosing among points of three rectangles saves little.
-  constexpr std::ptrdiff_t kFew = 6;
+  constexpr std::size_t kFew = 6;
+  const std::size_t count = emittingTriangles(scene) + shiningLights(scene);
+  const bool many = count > kFew;
   if (reportEnvironmentMap(scene).on)
     return {Effect::many_lights, nameOf(Effect::many_lights), true, "the environment is a picture"};
-  const auto shining = emittingTriangles(scene) + shiningLights(scene);
-  const bool on = shining > kFew;
-  return {Effect::many_lights, nameOf(Effect::many_lights), on,
-          fmt::format("{} {}", counted(static_cast<std::size_t>(shining), "light"),
-                      shining == 1 ? "is few"
-                      : on         ? "are many"
-                                   : "are few")};
+  return {Effect::many_lights, nameOf(Effect::many_lights), many,
+          fmt::format("{} {} {}", counted(count, "light"), count == 1 ? "is" : "are",
+                      many ? "many" : "few")};
 }
 
 EffectReport reportTransparentBackground(const Scene& scene) {

@@ -7,29 +7,9 @@
 
 #include "renderer/core/effects.h"
 #include "renderer/core/tone.h"
+#include "renderer/shader/pass.h"
 
 namespace glimt {
-
-enum class Pass {
-  camera,       // camera ray -> hit record
-  trace,        // hit record -> next hit record
-  escape,       // hit record that has left the scene -> radiance
-  light,        // hit record on a surface -> radiance
-  accumulate,   // radiance -> sum of a block of samples
-  close_block,  // sum of a block -> mean
-  first_hit,    // hit record of the camera's ray -> what it has met
-  delta,        // hit record on a mirror or smooth glass -> what it shows
-  guide,        // hit record -> what the denoiser knows of it
-  guide_sum,    // that -> the sum over paths
-  keep,         // mean -> its luminance, kept
-  change,       // mean and what was kept -> by how much it has changed
-  prepare,      // mean -> light without the colour of what is seen, and its variance
-  neighbours,   // that without the variance -> that with it
-  atrous,       // that -> the same with less noise
-  finish,       // that -> denoised mean
-  display,      // mean -> display values
-};
-inline constexpr std::size_t kPassCount = 17;
 
 // What of a sample the accumulate pass sums.
 enum class Accumulated {
@@ -53,9 +33,6 @@ struct ShaderRequest {
   bool live_only = false;    // draws are limited to live paths; see escape_pass.glsl
   int gles = 2;              // the OpenGL ES version whose language it is written in
 };
-
-// The name of a pass, for messages.
-std::string nameOf(Pass pass);
 
 // Vertex shader of every pass, in the language that the fragment shader is in.
 std::string composeVertexShader(int gles = 2);

@@ -16,7 +16,7 @@ import tempfile
 # The last three need OpenGL ES 3.0. "linear" takes hours with half a million triangles.
 TRAVERSALS = {"octant-ahead": 2, "octant": 2, "stack": 2, "trail": 2, "parent": 2, "skip": 2,
               "trail-bits": 3, "short-stack": 3, "array-stack": 3}
-SAMPLES = 2
+SAMPLES = 4
 USAGE = 2  # an exit status of glimt
 
 

@@ -15,6 +15,11 @@ RenderSettings settingsFor(int size, int bounces, std::uint32_t seed) {
   return settings;
 }
 
+double middleOf(std::array<double, 3> values) {
+  std::sort(values.begin(), values.end());
+  return values[1];
+}
+
 Image render(const Scene& scene, const RenderSettings& settings, int samples, Backend backend) {
   ContextHandle context = createOffscreenContext(backend, 2);
   Renderer renderer(context, scene, settings);

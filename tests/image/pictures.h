@@ -1,7 +1,6 @@
 // Renders for tests.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <glm/vec3.hpp>
 
@@ -11,15 +10,9 @@ namespace glimt::test {
 
 RenderSettings settingsFor(int size, int bounces, std::uint32_t seed = 1);
 
-// Of what `measure` finds with three seeds. The last surface of a path samples lights only; where
-// walls that emit meet in an edge the variance of that has no bound, and one sample can weigh as
-// much as thousands.
-template <typename Measure>
-double middleOfThreeSeeds(const Measure& measure) {
-  std::array<double, 3> found{measure(1u), measure(2u), measure(3u)};
-  std::sort(found.begin(), found.end());
-  return found[1];
-}
+// Of what three seeds give. The last surface of a path samples lights only; where walls that emit
+// meet in an edge the variance of that has no bound, and one sample can weigh as much as thousands.
+double middleOf(std::array<double, 3> values);
 
 Image render(const Scene& scene, const RenderSettings& settings, int samples,
              Backend backend = Backend::egl);
