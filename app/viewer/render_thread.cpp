@@ -189,7 +189,8 @@ void RenderThread::saveAsked(const PictureRequest& request, WindowPicture& pictu
   std::optional<std::filesystem::path> file;
   {
     const std::lock_guard lock(mutex_);
-    if (picture.full()) file = std::exchange(save_, std::nullopt);
+    // What is to be saved may be of a request that this turn does not know yet.
+    if (picture.full() && !fresh_) file = std::exchange(save_, std::nullopt);
   }
   if (!file) return;
   try {
