@@ -4,9 +4,9 @@
 usage, after ./dev assets: gallery.py BUILD IMAGES [OPTION]...
     (needs python3-pil)
 
-BUILD is build/release, IMAGES the folder for the pictures; options are those of glimt render that end
-a picture: --noise 2, --time 600. They hold for each scene; the strip's pictures are a third as wide,
-and end at the same limit.
+BUILD is build/release; IMAGES is the folder for the pictures, one of each scene and gallery.jpg, a
+strip of them all. Options are those of glimt render that end a picture, --noise 2 or --time 600;
+they hold for each scene.
 """
 import json
 import pathlib
@@ -17,31 +17,29 @@ import tempfile
 from PIL import Image
 
 SCENES = ["christmas", "motorcycle", "watch"]
-STRIP = "motorcycle"
-SIZE, STRIP_SIZE = "1280x720", "432x243"
-GAP = 4
+SIZE = "1280x720"
+STRIP_SIZE, GAP = (416, 234), 4
 
 
-def render(build, scene, picture, *options):
+def render(build, scene, picture, limits):
     report = picture.with_suffix(".json")
     command = [build / "glimt", "render", build / "assets" / f"{scene}.scene.json", "-o", picture,
-               "--json", report, *options]
+               "--json", report, "--size", SIZE, *limits]
     subprocess.run(command, check=True)
     return json.loads(report.read_text())
 
 
 def row(scene, facts):
-    noise = f"{100 * facts['noise']['likely']:.2g}%" if facts["noise"] else "not measured"
-    return (f"| {scene} | {facts['triangles']:,} | {facts['samples']:,} "
-            f"| {facts['seconds']['render']:.0f} | {noise} |")
+    noise = facts["noise"] or {"relative": float("nan"), "likely": float("nan")}
+    return (f"| {scene} | {facts['triangles']:,} | {facts['samples']:,} | {facts['seconds']['render']:.0f} "
+            f"| {100 * noise['relative']:.1f}% | {100 * noise['likely']:.1f}% |")
 
 
 def strip(pictures, file):
-    opened = [Image.open(picture).convert("RGB") for picture in pictures]
-    width, height = opened[0].size
-    whole = Image.new("RGB", (len(opened) * (width + GAP) - GAP, height), "white")
-    for i, picture in enumerate(opened):
-        whole.paste(picture, (i * (width + GAP), 0))
+    width, height = STRIP_SIZE
+    whole = Image.new("RGB", (len(pictures) * (width + GAP) - GAP, height), "white")
+    for i, picture in enumerate(pictures):
+        whole.paste(picture.resize(STRIP_SIZE, Image.LANCZOS), (i * (width + GAP), 0))
     whole.save(file, quality=90)
 
 
@@ -49,20 +47,15 @@ def main():
     if len(sys.argv) < 3:
         sys.exit(__doc__)
     build, images, limits = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3:]
+    pictures = []
     with tempfile.TemporaryDirectory() as work:
-        work = pathlib.Path(work)
         for scene in SCENES:
-            picture = work / f"{scene}.png"
-            facts = render(build, scene, picture, "--size", SIZE, *limits)
-            Image.open(picture).convert("RGB").save(images / f"{scene}.jpg", quality=92)
+            file = pathlib.Path(work) / f"{scene}.png"
+            facts = render(build, scene, file, limits)
+            pictures.append(Image.open(file).convert("RGB"))
+            pictures[-1].save(images / f"{scene}.jpg", quality=92)
             print(row(scene, facts), flush=True)
-        variants = []
-        model = json.loads((build / "assets" / f"{STRIP}.gltf").read_text())
-        for variant in model["extensions"]["KHR_materials_variants"]["variants"]:
-            variants.append(work / f"variant {len(variants)}.png")
-            render(build, STRIP, variants[-1], "--size", STRIP_SIZE, "--variant", variant["name"],
-                   *limits)
-        strip(variants, images / f"{STRIP}-variants.jpg")
+    strip(pictures, images / "gallery.jpg")
 
 
 main()
