@@ -17,7 +17,8 @@ std::string chartOf(const std::vector<TraversalRow>& rows, const BenchConditions
 // scene.
 std::string chartOf(const std::vector<PassesRow>& rows, const BenchConditions& conditions);
 
-// Bars for each effect that is forced: seconds a sample above, seconds to compile below.
+// Bars for each effect that is withheld or forced: seconds a sample above, seconds to compile
+// below.
 std::string chartOf(const std::vector<EffectsRow>& rows, const BenchConditions& conditions);
 
 }  // namespace glimt

@@ -110,7 +110,8 @@ int runBench(const BenchOptions& options) {
     writeResults(rows, options, context.info());
   } else if (options.suite == BenchSuite::effects) {
     const Scene scene = options.scene.empty() ? makeBenchBox() : loadScene(options.scene, {});
-    const auto rows = benchEffects(context, scene, effectsSettings(options, scene), show);
+    const auto rows =
+        benchEffects(context, scene, Tree(scene), effectsSettings(options, scene), show);
     progress.clear();
     writeResults(rows, options, context.info());
   } else {

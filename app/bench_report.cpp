@@ -77,7 +77,7 @@ void addSpread(Json& json, const std::string& key, const std::optional<Spread>& 
 Json jsonOf(const EffectsRow& row, const ContextInfo& context) {
   Json json{{"suite", "effects"},     {"scene", row.scene},         {"triangles", row.triangles},
             {"bounces", row.bounces}, {"traversal", row.traversal}, {"gles", context.gles},
-            {"effect", row.effect},   {"forced", row.forced}};
+            {"effect", row.effect},   {"forced", row.forced},       {"withheld", row.withheld}};
   addSpread(json, "compile_seconds", row.compile_seconds);
   addSpread(json, "seconds_per_sample", row.sample_seconds);
   addSpread(json, "ratio", row.ratio);
@@ -137,10 +137,12 @@ std::string textOf(const std::optional<Spread>& spread, int decimals) {
 }
 
 std::string textOf(const EffectsRow& row) {
-  std::string text = fmt::format("{:<18}", row.effect);
+  std::string text = fmt::format("{:<21}", row.effect);
   if (row.sample_seconds) {
     const std::string agrees =
-        row.effect == kOwnEffects ? "reference" : (*row.agrees ? "yes" : "NO");
+        row.effect == kOwnEffects
+            ? "reference"
+            : (!row.agrees ? "another picture" : (*row.agrees ? "yes" : "NO"));
     text += fmt::format("{:<17} {:<24} {:<17} {}", textOf(row.compile_seconds, 2),
                         textOf(row.sample_seconds, 4), textOf(row.ratio, 2), agrees);
   }
@@ -191,7 +193,7 @@ std::string textOf(const std::vector<EffectsRow>& rows, const BenchConditions& c
       conditions.context.renderer, conditions.context.version, conditions.side, conditions.side,
       printable(own.scene), counted(own.triangles, "triangle"),
       counted(static_cast<std::uintmax_t>(own.bounces), "bounce"), own.traversal);
-  text += fmt::format("  {:<18}{:<17} {:<24} {:<17} {}\n", "forced", "compile", "sample", "ratio",
+  text += fmt::format("  {:<21}{:<17} {:<24} {:<17} {}\n", "effects", "compile", "sample", "ratio",
                       "agrees");
   for (const EffectsRow& row : rows) text += fmt::format("  {}\n", textOf(row));
   return text;

@@ -16,8 +16,8 @@ std::string textOf(const std::vector<TraversalRow>& rows, const BenchConditions&
 // A table: for each way to trace the bounces the seconds that a sample takes.
 std::string textOf(const std::vector<PassesRow>& rows, const BenchConditions& conditions);
 
-// A table: for each effect that is forced the seconds that a sample takes, and how many times those
-// of the scene's own effects.
+// A table: for each effect that is withheld or forced the seconds that a sample takes, and how
+// many times those of the scene's own effects.
 std::string textOf(const std::vector<EffectsRow>& rows, const BenchConditions& conditions);
 
 Json jsonOf(const std::vector<TraversalRow>& rows, const BenchConditions& conditions);

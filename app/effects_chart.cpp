@@ -14,6 +14,7 @@ constexpr double kNamesHeight = 104;  // under the bars of the lower panel
 constexpr double kAxisWidth = 56;
 constexpr double kGapBetweenBars = 8;
 constexpr std::size_t kOwnColor = 0;
+constexpr std::size_t kLessColor = 2;
 constexpr std::size_t kOneColor = 1;
 constexpr std::size_t kAllColor = 5;
 
@@ -22,6 +23,7 @@ using Value = std::optional<Spread> EffectsRow::*;
 
 std::size_t colorOf(const EffectsRow& row) {
   if (row.effect == kOwnEffects) return kOwnColor;
+  if (!row.withheld.empty()) return kLessColor;
   return row.effect == kAllEffects ? kAllColor : kOneColor;
 }
 
@@ -46,15 +48,16 @@ class EffectsChart {
 
  private:
   static std::vector<ChartKey> keys() {
-    return {{"none forced: the scene's own effects", chartColor(kOwnColor)},
+    return {{"the scene's own effects", chartColor(kOwnColor)},
+            {"without one of them", chartColor(kLessColor)},
             {"one more effect forced on", chartColor(kOneColor)},
             {"all effects", chartColor(kAllColor)}};
   }
 
   std::string title() const {
     const EffectsRow& own = rows_->front();
-    return fmt::format("What effects would cost that the scene does not call for: {}, {}, {}",
-                       printable(own.scene), counted(own.triangles, "triangle"),
+    return fmt::format("What effects cost: {}, {}, {}", printable(own.scene),
+                       counted(own.triangles, "triangle"),
                        counted(static_cast<std::uintmax_t>(own.bounces), "bounce"));
   }
 

@@ -88,41 +88,48 @@ struct PassesRow {
 std::vector<PassesRow> benchPasses(ContextHandle& context, const PassesBenchSettings& settings,
                                    const std::function<void(const std::string&)>& progress);
 
-// --- What an effect costs that is not called for ------------------------------------------------
+// --- What an effect costs, called for or not ----------------------------------------------------
 
 // Beside the names of effects.
-inline constexpr const char* kOwnEffects = "none";  // no effect is forced: the scene's own alone
+inline constexpr const char* kOwnEffects = "none";  // nothing is changed: the scene's own effects
 inline constexpr const char* kAllEffects = "all";
+inline constexpr const char* kWithheld = "no_";  // before the name of one that is withheld
 
 struct EffectsBenchSettings {
   int bounces = 4;
   int side = 512;           // pictures are side * side pixels
   int repeats = 25;         // samples; after one that is not timed
   int compile_repeats = 3;  // of all that is compiled
+  bool forced = true;       // whether there are rows for those that the scene does not call for
 };
 
-// A scene with one effect forced upon it that it does not call for, or all of them.
+// A scene without one effect that it calls for, or with one forced upon it that it does not call
+// for, or with all of them.
 struct EffectsRow {
   std::string scene;
   std::size_t triangles = 0;
   int bounces = 0;
   std::string traversal;
-  std::string effect;  // its name, kOwnEffects or kAllEffects
+  std::string effect;  // its name, with kWithheld before it or not, kOwnEffects or kAllEffects
+  std::vector<std::string> withheld;  // what is not compiled of the scene's own: it, and what
+                                      // implies it
   std::vector<std::string>
       forced;  // what is compiled besides the scene's own: it and what it implies
   std::optional<Spread> compile_seconds;  // with what the driver leaves to the first draw
   std::optional<Spread> sample_seconds;   // none: the driver refuses the shader, see note
   // Of the seconds per sample to those of kOwnEffects in the same round.
   std::optional<Spread> ratio;
-  // Whether the picture's mean is that of kOwnEffects, per channel; none where nothing was drawn.
+  // Whether the picture's mean is that of kOwnEffects, per channel; none where nothing was drawn,
+  // and for what is withheld: it makes another picture.
   std::optional<bool> agrees;
   std::string note;
 };
 
-// The scene's own effects come first, then each of the others, all of them last. Not the parallel
-// projection, which takes the place of a camera and adds nothing to it, nor a lens upon one.
-// `progress` as above. Errors: as for Renderer.
-std::vector<EffectsRow> benchEffects(ContextHandle& context, const Scene& scene,
+// The scene as it is comes first, then without each of its own effects, with each of the others,
+// and all of them last. Not the parallel projection, which takes the place of a camera and adds
+// nothing to it, nor a lens upon one, nor what the background brings. `progress` as above. Errors:
+// as for Renderer.
+std::vector<EffectsRow> benchEffects(ContextHandle& context, const Scene& scene, const Tree& tree,
                                      const EffectsBenchSettings& settings,
                                      const std::function<void(const std::string&)>& progress);
 

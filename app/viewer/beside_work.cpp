@@ -1,5 +1,9 @@
 #include "app/viewer/beside_work.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/bench.h"
 #include "renderer/core/image_file.h"
 
 namespace glimt {
@@ -9,6 +13,11 @@ namespace {
 constexpr double kChunk = 0.1;
 
 constexpr double kLimitSeconds = 2;
+
+// Of the pictures that tell what effects cost: a sixteenth of the window's pixels is enough, and
+// shows what the window does.
+constexpr double kCostScale = 0.25;
+constexpr int kCostRepeats = 7;
 
 Scene sceneOf(const BesidePicture& picture) {
   Scene scene = picture.view.scene->scene;
@@ -47,6 +56,26 @@ LimitError measureLimitsOf(const BesidePicture& picture, double noise,
   Renderer renderer(context, sceneOf(picture), picture.view.scene->tree, settingsOf(picture));
   progress(0.5f);
   return measureLimits(renderer, settingsOf(picture), noise, kLimitSeconds);
+}
+
+EffectCosts effectCostsOf(const BesidePicture& picture, const WorkProgress& progress) {
+  const RenderSettings& settings = picture.settings;
+  EffectsBenchSettings bench;
+  bench.bounces = picture.view.look.bounces;
+  const double pixels = static_cast<double>(settings.width) * settings.height;
+  bench.side = std::max(static_cast<int>(std::lround(kCostScale * std::sqrt(pixels))), 16);
+  bench.repeats = kCostRepeats;
+  bench.compile_repeats = 1;
+  bench.forced = false;
+  ContextHandle context = createOffscreenContext(Backend::automatic, picture.gles);
+  EffectCosts costs;
+  for (const EffectsRow& row :
+       benchEffects(context, sceneOf(picture), picture.view.scene->tree, bench,
+                    [&progress](const std::string&) { progress(0.5f); })) {
+    if (row.withheld.empty() || !row.ratio) continue;
+    costs[row.effect.substr(std::string(kWithheld).size())] = 1 - row.ratio->median;
+  }
+  return costs;
 }
 
 }  // namespace glimt

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
+#include <string>
 
 #include "app/viewer/window_picture.h"
 #include "renderer/limit_error.h"
@@ -24,5 +26,12 @@ void renderToFile(const BesidePicture& picture, int samples, const std::filesyst
 // See renderer/limit_error.h. Errors: those of the renderer.
 LimitError measureLimitsOf(const BesidePicture& picture, double noise,
                            const WorkProgress& progress);
+
+// Of the time that a sample takes, the share that it would not without an effect that the scene
+// calls for: by the effect's name. What is on without being here cannot be left out.
+using EffectCosts = std::map<std::string, double>;
+
+// From small pictures; see renderer/bench.h. Errors: those of the renderer.
+EffectCosts effectCostsOf(const BesidePicture& picture, const WorkProgress& progress);
 
 }  // namespace glimt

@@ -16,7 +16,6 @@ struct Look {
   int bounces = 4;
   float exposure = 0;  // EV
   Tone tone = Tone::srgb;
-  bool denoise = false;  // in the window; what is saved is what the samples show
 
   bool operator==(const Look&) const = default;
 };

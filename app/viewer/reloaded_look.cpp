@@ -23,7 +23,6 @@ Look reloadedLook(const Look& look, const Look& before, const Look& now) {
   result.bounces = reloaded(look.bounces, before.bounces, now.bounces);
   result.exposure = reloaded(look.exposure, before.exposure, now.exposure);
   result.tone = reloaded(look.tone, before.tone, now.tone);
-  result.denoise = look.denoise;
   return result;
 }
 

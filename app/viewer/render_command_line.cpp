@@ -62,7 +62,6 @@ std::string renderCommandLine(const LoadedScene& loaded, const Look& look, const
   add("--bounces", fmt::format("{}", look.bounces));
   add("--exposure", fmt::format("{}", look.exposure));
   add("--tone", kToneNames[static_cast<std::size_t>(look.tone)]);
-  if (look.denoise) line += " --denoise";
   add("--size", fmt::format("{}x{}", size[0], size[1]));
   add("--spp", fmt::format("{}", samples));
   return line + " -o " + outputOf(loaded.choice.path);

@@ -89,7 +89,7 @@ void Viewer::handleEvents() {
   if (frames_wanted_ > 0) {
     window_.pollEvents();
   } else {
-    const bool working = loading_ || saving_ || measuring_;
+    const bool working = loading_ || saving_ || measuring_ || costing_;
     window_.waitEvents(working ? kProgressSeconds : kIdleSeconds);
     if (working) frames_wanted_ = 1;
   }
@@ -136,7 +136,13 @@ void Viewer::ask() {
   if (!asked_) return;
   asked_ = false;
   const bool moved = !rest && scene_ != nullptr;
-  request_ = {{scene_, state_.look}, beside_, camera_.camera(), size, rest, request_.serial + 1};
+  if (beside_) beside_->denoise = state_.denoise;
+  request_ = {{scene_, state_.look, state_.denoise},
+              beside_,
+              camera_.camera(),
+              size,
+              rest,
+              request_.serial + 1};
   if (moved) pace_.asked(request_.serial, event_age_);
   renderer_.ask(request_);
   since_change_ = {};
@@ -149,6 +155,7 @@ void Viewer::draw() {
   moveDivider();
   canvas_.draw(pictureLeft(), state_.divider);
   const Look before = state_.look;
+  const bool denoised = state_.denoise;
   const std::optional<std::size_t> selected = state_.material;
   PanelWishes wishes;
   if (state_.panel) {
@@ -158,12 +165,13 @@ void Viewer::draw() {
                          renderer_.context(),
                          options_.record,
                          noise_,
-                         effects_,
                          recent_,
                          request_.size,
                          {pace_.framesPerSecond(), pace_.lastLatency()},
                          limits_,
                          measuring_ != nullptr,
+                         effect_costs_,
+                         costing_ != nullptr,
                          saving_ ? std::optional(saving_->progress()) : std::nullopt,
                          beside_.has_value(),
                          history_ && history_->canUndo(),
@@ -171,15 +179,18 @@ void Viewer::draw() {
     wishes = drawPanel(data, state_, fields_);
   }
   if (state_.help) drawHelp(state_.help);
-  drawNotice();
+  if (drawNotice(notice())) loading_->cancel();
   gui_.endFrame();
   if (fields_.typing_path) frames_wanted_ = kFramesOfEvent;
   if (shown_serial_) pace_.shown(*shown_serial_);
   shown_serial_.reset();
 
-  if (state_.look != before) {
+  if (state_.look != before || state_.denoise != denoised) {
     asked_ = true;
     event_age_ = since_events_.seconds();
+    // Of what is not shown any more.
+    effect_costs_.reset();
+    if (costing_) costing_->cancel();
   }
   if (state_.material != selected) outline_wanted_ = true;
   // A slider that is held is one step when it is let go.
@@ -194,45 +205,19 @@ void Viewer::moveDivider() {
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) dragging_divider_ = false;
 }
 
-// What is being done, and what went wrong, over the picture.
-void Viewer::drawNotice() {
+NoticeData Viewer::notice() {
   const double lasts = message_is_failure_ ? kFailureSeconds : kMessageSeconds;
   if (since_message_.seconds() > lasts) message_.clear();
-  const bool preparing = scene_ && (canvas_.empty() || (beside_ && !canvas_.comparing()));
-  if (!loading_ && message_.empty() && !preparing) return;
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const float left = pictureLeft() * size.x;
-  ImGui::SetNextWindowPos({0.5f * (left + size.x), size.y - 12}, ImGuiCond_Always, {0.5f, 1});
-  ImGui::SetNextWindowSizeConstraints({0, 0}, {std::max(size.x - left - 24, 100.0f), size.y});
-  ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                           ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoFocusOnAppearing |
-                           ImGuiWindowFlags_NoNav;
-  // What can only be read does not keep the mouse from the picture.
-  if (!loading_) flags |= ImGuiWindowFlags_NoInputs;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  if (ImGui::Begin("notice", nullptr, flags)) {
-    if (!message_.empty()) {
-      ImGui::PushTextWrapPos(std::max(size.x - left - 60, 80.0f));
-      if (message_is_failure_) ImGui::PushStyleColor(ImGuiCol_Text, {1, 0.55f, 0.45f, 1});
-      ImGui::TextUnformatted(message_.c_str());
-      if (message_is_failure_) ImGui::PopStyleColor();
-      ImGui::PopTextWrapPos();
-    }
-    if (loading_) {
-      const std::string name = printable(loading_choice_->path.filename().string());
-      ImGui::Text("loading %s", name.c_str());
-      ImGui::ProgressBar(loading_->progress(), {14 * ImGui::GetFontSize(), 0});
-      if (scene_) {
-        ImGui::SameLine();
-        if (ImGui::Button("Cancel")) loading_->cancel();
-      }
-    } else if (preparing) {
-      ImGui::TextUnformatted(canvas_.empty() ? "preparing the first picture"
-                                             : "preparing the comparison");
-    }
+  NoticeData notice{pictureLeft(), message_, message_is_failure_, {}, {}, 0, scene_ != nullptr};
+  if (loading_) {
+    notice.loading = loading_choice_->path.filename().string();
+    notice.progress = loading_->progress();
+  } else if (scene_ && canvas_.empty()) {
+    notice.preparing = "the first picture";
+  } else if (scene_ && beside_ && !canvas_.comparing()) {
+    notice.preparing = "the comparison";
   }
-  ImGui::End();
-  ImGui::PopStyleVar();
+  return notice;
 }
 
 void Viewer::fulfil(const PanelWishes& wishes) {
@@ -248,6 +233,7 @@ void Viewer::fulfil(const PanelWishes& wishes) {
   if (wishes.save_scene) saveScene();
   if (wishes.copy_command) copyCommand();
   if (wishes.measure_limits) measureLimits();
+  if (wishes.measure_effects) measureEffects();
   if (wishes.cancel_saving && saving_) saving_->cancel();
   if (wishes.undo && history_) step(history_->undo());
   if (wishes.redo && history_) step(history_->redo());

@@ -60,7 +60,7 @@ class Viewer final : private WindowListener {
   void ask();
   void draw();
   void moveDivider();
-  void drawNotice();
+  NoticeData notice();
   void fulfil(const PanelWishes& wishes);
   void updateTitle();
 
@@ -77,6 +77,7 @@ class Viewer final : private WindowListener {
   void saveScene();
   void copyCommand();
   void measureLimits();
+  void measureEffects();
   void savePicture(const SavedPicture& picture);
   void tell(const std::string& text, bool failure = false);
   BesidePicture besidePicture(std::array<int, 2> size) const;
@@ -101,7 +102,6 @@ class Viewer final : private WindowListener {
   Look saved_look_;  // as it was saved last, or opened
   std::optional<History<Look>> history_;
   std::optional<View> beside_;
-  std::vector<EffectReport> effects_;
   std::vector<std::filesystem::path> recent_;
   std::filesystem::file_time_type refused_;  // when the file was written that was read last
   std::filesystem::path saved_scene_;  // that this viewer has written, of the scene that is open
@@ -127,11 +127,13 @@ class Viewer final : private WindowListener {
   std::unique_ptr<BackgroundTask<Outline>> outlining_;
   bool outline_wanted_ = false;
   std::unique_ptr<BackgroundTask<LimitError>> measuring_;
+  std::unique_ptr<BackgroundTask<EffectCosts>> costing_;
   std::unique_ptr<BackgroundTask<std::string>> saving_;  // gives what is told when it is done
 
   PictureStatus status_;
   NoiseHistory noise_;
   std::optional<LimitError> limits_;
+  std::optional<EffectCosts> effect_costs_;
   std::string message_;
   bool message_is_failure_ = false;
   Stopwatch since_message_;

@@ -1,4 +1,4 @@
-// What the viewer reads, writes, and has worked on beside the window.
+// What the viewer reads and writes.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "app/message.h"
-#include "app/viewer/beside_work.h"
 #include "app/viewer/edited_scene.h"
 #include "app/viewer/reloaded_look.h"
 #include "app/viewer/render_command_line.h"
@@ -24,9 +23,7 @@ namespace glimt {
 namespace {
 
 constexpr double kWatchSeconds = 0.5;
-constexpr double kRestSeconds = 0.3;
 constexpr std::size_t kMostRecent = 6;
-constexpr int kOutlineDivisor = 2;
 constexpr int kCommandSamples = 256;
 
 // A file that is being written grows: it is read once it is left alone.
@@ -89,8 +86,8 @@ void Viewer::show(std::shared_ptr<const LoadedScene> loaded) {
   }
   file_look_ = look;
   scene_ = std::move(loaded);
-  effects_ = reportEffects(scene_->scene);
   limits_.reset();
+  effect_costs_.reset();
   noise_.clear();
   asked_ = true;
   frames_wanted_ = 3;
@@ -113,75 +110,6 @@ void Viewer::watchFile() {
   if (std::filesystem::file_time_type::clock::now() - written < kSettled) return;
   refused_ = written;
   load(scene_->choice);
-}
-
-void Viewer::takeOutline() {
-  if (outline_wanted_ && !state_.material) {
-    outline_wanted_ = false;
-    canvas_.hideOutline();
-  }
-  if (outline_wanted_ && scene_ && since_change_.seconds() > kRestSeconds) {
-    outline_wanted_ = false;
-    outlining_ = std::make_unique<BackgroundTask<Outline>>(
-        [scene = scene_, camera = camera_.camera(), material = *state_.material,
-         size = request_.size](const WorkProgress& progress) {
-          return outlineOf(*scene, camera, material, std::max(size[0] / kOutlineDivisor, 1),
-                           std::max(size[1] / kOutlineDivisor, 1), progress);
-        },
-        Window::wake);
-  }
-  if (outline_wanted_ && outlining_) outlining_->cancel();
-  if (!outlining_ || !outlining_->done()) return;
-  const auto task = std::move(outlining_);
-  const std::optional<Outline> outline = task->take();
-  if (!outline || outline_wanted_ || !state_.material) return;
-  canvas_.setOutline(*outline);
-  frames_wanted_ = std::max(frames_wanted_, 1);
-}
-
-void Viewer::takeFinished() {
-  try {
-    if (measuring_ && measuring_->done()) limits_ = std::exchange(measuring_, nullptr)->take();
-    if (saving_ && saving_->done())
-      tell(std::exchange(saving_, nullptr)->take().value_or("no picture was written"));
-  } catch (const Error& error) {
-    tell(error.what(), true);
-  }
-}
-
-BesidePicture Viewer::besidePicture(std::array<int, 2> size) const {
-  RenderSettings settings = settingsOf(options_, scene_->scene);
-  settings.width = size[0];
-  settings.height = size[1];
-  return {{scene_, state_.look}, camera_.camera(), settings, options_.gles};
-}
-
-void Viewer::measureLimits() {
-  if (!scene_ || !status_.noise || measuring_) return;
-  measuring_ = std::make_unique<BackgroundTask<LimitError>>(
-      [picture = besidePicture(request_.size), noise = status_.noise->relative](
-          const WorkProgress& progress) { return measureLimitsOf(picture, noise, progress); },
-      Window::wake);
-}
-
-void Viewer::savePicture(const SavedPicture& picture) {
-  constexpr int kLargestSide = 16384;
-  const auto fits = [](int side) { return side >= 1 && side <= kLargestSide; };
-  if (!scene_ || saving_) return;
-  if (!fits(picture.size[0]) || !fits(picture.size[1]) || picture.samples < 1)
-    return tell("a picture has 1 to 16384 pixels a side and at least one sample", true);
-  try {
-    imageFormatOf(picture.file);
-  } catch (const Error& error) {
-    return tell(error.what(), true);
-  }
-  saving_ = std::make_unique<BackgroundTask<std::string>>(
-      [work = besidePicture(picture.size), picture](const WorkProgress& progress) {
-        renderToFile(work, picture.samples, picture.file, progress);
-        return fmt::format("rendered {}, {}", picture.file.string(),
-                           counted(static_cast<std::uintmax_t>(picture.samples), "sample"));
-      },
-      Window::wake);
 }
 
 void Viewer::saveScene() {

@@ -9,7 +9,8 @@ namespace glimt {
 
 struct ViewerState {
   Look look;
-  float noise_goal = 0.02f;             // a share of 1
+  float noise_goal = 0.02f;  // a share of 1
+  bool denoise = false;
   std::optional<std::size_t> material;  // that is selected, into Look::materials
   bool panel = true;
   bool help = false;

@@ -27,7 +27,6 @@ bool sameLight(const View& a, const View& b) {
   Look displayed = a.look;
   displayed.exposure = b.look.exposure;
   displayed.tone = b.look.tone;
-  displayed.denoise = b.look.denoise;
   return a.scene == b.scene && displayed == b.look;
 }
 
@@ -105,6 +104,7 @@ void WindowPicture::takeView() {
   if (before.scene != view_.scene) scene_ = view_.scene->scene;
   scene_.camera = camera_;
   apply(look, scene_);
+  effects_are_old_ = true;
   const bool same_triangles =
       before.scene && before.scene->tree.shared() == view_.scene->tree.shared();
   if (!renderer_ || !same_triangles) {
@@ -141,7 +141,7 @@ bool WindowPicture::finished() const {
 }
 
 bool WindowPicture::denoises() const {
-  return view_.look.denoise && stage_ == Stage::full;
+  return view_.denoise && stage_ == Stage::full;
 }
 
 bool WindowPicture::hasNews() const {
@@ -169,7 +169,11 @@ PictureStatus WindowPicture::status() {
   status.divisor = divisor_;
   status.seconds = work_seconds_;
   status.sample_rate = status.samples > 0 && work_seconds_ > 0 ? status.samples / work_seconds_ : 0;
-  if (stage_ == Stage::full) status.noise = renderer_->noise();
+  if (stage_ == Stage::full) {
+    status.noise = renderer_->noise();
+    if (std::exchange(effects_are_old_, false)) effects_ = reportEffects(scene_);
+  }
+  status.effects = effects_;
   status.statistics = renderer_->statistics();
   return status;
 }

@@ -4,12 +4,14 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "app/stopwatch.h"
 #include "app/viewer/loaded_scene.h"
 #include "app/viewer/look.h"
 #include "app/viewer/preview_scale.h"
 #include "renderer/renderer.h"
+#include "renderer/scene/effects_of.h"
 
 namespace glimt {
 
@@ -17,6 +19,7 @@ namespace glimt {
 struct View {
   std::shared_ptr<const LoadedScene> scene;  // null: of nothing
   Look look;
+  bool denoise = false;  // as it is shown; what is saved is what the samples show
 };
 
 // How far a picture is.
@@ -26,6 +29,7 @@ struct PictureStatus {
   double seconds = 0;      // spent on it
   double sample_rate = 0;  // samples a second
   std::optional<NoiseEstimate> noise;
+  std::vector<EffectReport> effects;  // of the last picture that was no preview
   RenderStatistics statistics;
 
   double secondsPerSample() const { return sample_rate > 0 ? 1 / sample_rate : 0; }
@@ -93,6 +97,8 @@ class WindowPicture {
   std::optional<Renderer> renderer_;
   Scene scene_;  // as the renderer has it
   View drawn_;   // which that is
+  std::vector<EffectReport> effects_;
+  bool effects_are_old_ = false;  // of what was drawn before
   PreviewScale preview_scale_;
   Stage stage_ = Stage::none;
   int divisor_ = 1;

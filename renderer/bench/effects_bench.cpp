@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <memory>
 
 #include "renderer/bench.h"
@@ -24,10 +25,14 @@ std::vector<std::string> namesOf(const EffectSet& effects) {
   return names;
 }
 
-// The scene's own effects with some forced upon them.
+// What is told by another picture, not by what it takes to draw it.
+constexpr std::array kNotWithheld{Effect::orthographic, Effect::transparent_background,
+                                  Effect::shadow_catcher};
+
+// The scene's own effects with some forced upon them, or without some.
 struct Candidate {
   EffectsRow row;
-  EffectSet forced;
+  EffectChange change;
   std::unique_ptr<PathTracer> tracer;  // none: the driver refuses one of its shaders
   std::vector<double> compile_seconds;
   std::vector<double> sample_seconds;
@@ -38,13 +43,13 @@ class EffectsBench {
  public:
   using Progress = std::function<void(const std::string&)>;
 
-  EffectsBench(const gl::Device& device, const Scene& scene, const EffectsBenchSettings& settings,
-               const Progress& progress)
+  EffectsBench(const gl::Device& device, const Scene& scene, const SceneTree& tree,
+               const EffectsBenchSettings& settings, const Progress& progress)
       : device_(&device),
         scene_(&scene),
         settings_(&settings),
         progress_(&progress),
-        tree_(buildSceneTree(scene, device.maxTextureSize())),
+        tree_(&tree),
         own_(effectsOf(scene)) {
     addCandidates();
   }
@@ -71,30 +76,37 @@ class EffectsBench {
  private:
   void addCandidates() {
     add(kOwnEffects, {});
+    EffectSet withheld = own_;
+    for (const Effect effect : kNotWithheld) withheld.reset(static_cast<std::size_t>(effect));
     for (int i = 0; i < kEffectCount; ++i) {
-      EffectSet forced;
-      forced.set(static_cast<std::size_t>(i));
-      if (withForced(own_, forced) != own_) add(nameOf(static_cast<Effect>(i)), forced);
+      const EffectSet one = EffectSet().set(static_cast<std::size_t>(i));
+      if ((withheld & one).any()) add(kWithheld + nameOf(static_cast<Effect>(i)), {{}, one});
     }
-    add(kAllEffects, EffectSet().set());
+    if (!settings_->forced) return;
+    for (int i = 0; i < kEffectCount; ++i) {
+      const EffectChange change{EffectSet().set(static_cast<std::size_t>(i)), {}};
+      if (changed(own_, change) != own_) add(nameOf(static_cast<Effect>(i)), change);
+    }
+    add(kAllEffects, {EffectSet().set(), {}});
   }
 
-  void add(const std::string& effect, const EffectSet& forced) {
+  void add(const std::string& effect, const EffectChange& change) {
     Candidate& candidate = candidates_.emplace_back();
-    candidate.forced = forced;
+    candidate.change = change;
     candidate.row.scene = scene_->name;
     candidate.row.triangles = scene_->triangles.size();
     candidate.row.bounces = settings_->bounces;
     candidate.row.effect = effect;
-    candidate.row.forced = namesOf(withForced(own_, forced) & ~own_);
+    candidate.row.forced = namesOf(changed(own_, change) & ~own_);
+    candidate.row.withheld = namesOf(own_ & ~changed(own_, change));
   }
 
   void compile(Candidate& candidate) {
     PathTracerSettings path;
     path.bounces = settings_->bounces;
-    path.forced = candidate.forced;
+    path.change = candidate.change;
     try {
-      candidate.tracer = std::make_unique<PathTracer>(*device_, *scene_, path, tree_);
+      candidate.tracer = std::make_unique<PathTracer>(*device_, *scene_, path, *tree_);
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::failed || candidate.row.effect == kOwnEffects) throw;
       candidate.row.note = error.what();
@@ -136,7 +148,7 @@ class EffectsBench {
     row.compile_seconds = spreadOf(candidate.compile_seconds);
     row.sample_seconds = spreadOf(candidate.sample_seconds);
     row.ratio = spreadOf(ratiosOf(candidate));
-    row.agrees = candidate.comparison.agrees();
+    if (row.withheld.empty()) row.agrees = candidate.comparison.agrees();
     const std::size_t lost = candidate.comparison.lost();
     if (lost > 0) row.note = fmt::format("{} cut short or not finite", counted(lost, "path"));
     return row;
@@ -146,18 +158,18 @@ class EffectsBench {
   const Scene* scene_;
   const EffectsBenchSettings* settings_;
   const Progress* progress_;
-  SceneTree tree_;
+  const SceneTree* tree_;
   EffectSet own_;
   std::vector<Candidate> candidates_;  // the first is that of the scene's own effects alone
 };
 
 }  // namespace
 
-std::vector<EffectsRow> benchEffects(ContextHandle& context, const Scene& scene,
+std::vector<EffectsRow> benchEffects(ContextHandle& context, const Scene& scene, const Tree& tree,
                                      const EffectsBenchSettings& settings,
                                      const std::function<void(const std::string&)>& progress) {
   const gl::Device device(context.get());
-  return EffectsBench(device, scene, settings, progress).run();
+  return EffectsBench(device, scene, tree.get(), settings, progress).run();
 }
 
 }  // namespace glimt

@@ -59,10 +59,10 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
       record_(recordFor(device, settings.record)),
       first_sample_(static_cast<std::uint32_t>(settings.first_sample)),
       path_lengths_(settings.path_lengths),
-      scene_(device, scene, tree, traversalNamed(traversal_).layout, settings.forced),
+      scene_(device, scene, tree, traversalNamed(traversal_).layout, settings.change),
       offsets_(points_.makeOffsets(device)),
-      forced_(settings.forced),
-      effects_(withForced(effectsOf(scene), forced_)),
+      change_(settings.change),
+      effects_(changed(effectsOf(scene), change_)),
       bounces_(settings.bounces),
       roulette_(settings.roulette),
       live_only_(settings.live_only && canDrawLiveOnly(device)),
@@ -154,13 +154,13 @@ void PathTracer::use(const std::string& traversal) {
 }
 
 void PathTracer::setMaterials(const Scene& scene, const SceneTree& tree) {
-  SceneTextures textures(*device_, scene, tree, traversalNamed(traversal_).layout, forced_);
+  SceneTextures textures(*device_, scene, tree, traversalNamed(traversal_).layout, change_);
   takeEffects(scene);
   scene_ = std::move(textures);
 }
 
 void PathTracer::setNumbers(const Scene& scene, const SceneTree& tree) {
-  SceneTextures::Surfaces surfaces = scene_.surfacesOf(*device_, scene, tree, forced_);
+  SceneTextures::Surfaces surfaces = scene_.surfacesOf(*device_, scene, tree, change_);
   takeEffects(scene);
   scene_.take(std::move(surfaces), scene.environment);
 }
@@ -168,7 +168,7 @@ void PathTracer::setNumbers(const Scene& scene, const SceneTree& tree) {
 // Begins again with the programs that the scene calls for; where one does not compile, with those
 // that were.
 void PathTracer::takeEffects(const Scene& scene) {
-  const EffectSet before = std::exchange(effects_, withForced(effectsOf(scene), forced_));
+  const EffectSet before = std::exchange(effects_, changed(effectsOf(scene), change_));
   census_.forget();
   try {
     restart();
@@ -184,7 +184,7 @@ void PathTracer::takeEffects(const Scene& scene) {
 
 void PathTracer::setCamera(const Camera& camera) {
   camera_ = camera;
-  effects_ = withForced(withCamera(effects_, camera), forced_);
+  effects_ = changed(withCamera(effects_, camera), change_);
   compile({});
   restart();
 }

@@ -17,6 +17,7 @@
 #include "renderer/passes/ray_census.h"
 #include "renderer/passes/sample_points.h"
 #include "renderer/passes/scene_textures.h"
+#include "renderer/scene/effects_of.h"
 #include "renderer/shader/composer.h"
 #include "renderer/shader/records.h"
 
@@ -35,9 +36,9 @@ struct PathTracerSettings {
   bool roulette = true;                       // weak paths may end at random
   bool live_only =
       true;  // passes are drawn for live paths only, where the device can; same picture
-  // Effects that are compiled and run although the scene does not call for them, with what they
-  // imply, see withForced(). In a scene with light the picture is the same but for its noise.
-  EffectSet forced = {};
+  // In a scene with light the picture with forced effects is the same but for its noise; without
+  // some that are called for it is another.
+  EffectChange change = {};
   int first_sample = 0;       // of the sequence; those before are another tracer's
   bool path_lengths = false;  // Accumulated::path_length is kept, where the background is not
                               // transparent
@@ -167,7 +168,7 @@ class PathTracer {
   bool path_lengths_;
   SceneTextures scene_;
   gl::Texture offsets_;
-  EffectSet forced_;
+  EffectChange change_;
   EffectSet effects_;
   int bounces_;
   bool roulette_;

@@ -116,9 +116,9 @@ void bindData(gl::Program& program, const std::string& name, const gl::Texture& 
 }  // namespace
 
 SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene, const SceneTree& tree,
-                             TreeLayout layout, const EffectSet& forced) {
+                             TreeLayout layout, const EffectChange& change) {
   const Bvh& bvh = tree.bvh;
-  const EffectSet effects = withForced(effectsOf(scene), forced);
+  const EffectSet effects = changed(effectsOf(scene), change);
   const auto start = std::chrono::steady_clock::now();
   NodeLayout nodes = layOut(bvh, layout);
   build_seconds_ = tree.build_seconds +
@@ -141,13 +141,13 @@ SceneTextures::SceneTextures(const gl::Device& device, const Scene& scene, const
   triangle_count_ = scene.triangles.size();
   grid_origin_ = nodes.grid_origin;
   grid_cell_ = nodes.grid_cell;
-  take(surfacesOf(device, scene, tree, forced), scene.environment);
+  take(surfacesOf(device, scene, tree, change), scene.environment);
 }
 
 SceneTextures::Surfaces SceneTextures::surfacesOf(const gl::Device& device, const Scene& scene,
                                                   const SceneTree& tree,
-                                                  const EffectSet& forced) const {
-  const EffectSet effects = withForced(effectsOf(scene), forced);
+                                                  const EffectChange& change) const {
+  const EffectSet effects = changed(effectsOf(scene), change);
   const LightTable lights = buildLightTable(scene);
   Surfaces surfaces;
   surfaces.materials = makeDataTexture(device, packMaterials(scene, lights, atlas_), "materials");

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "renderer/core/effects.h"
 #include "renderer/gl/device.h"
 #include "renderer/gl/program.h"
 #include "renderer/passes/environment_map.h"
 #include "renderer/passes/gloss_table.h"
 #include "renderer/passes/scene_tree.h"
 #include "renderer/passes/texture_atlas.h"
+#include "renderer/scene/effects_of.h"
 #include "renderer/scene/scene.h"
 
 namespace glimt {
@@ -19,9 +19,9 @@ namespace glimt {
 class SceneTextures {
  public:
   // Errors: input, when the scene is larger than the device's textures or the hit record can hold,
-  // or its tree deeper than the traversal's stack. `forced` as in PathTracerSettings.
+  // or its tree deeper than the traversal's stack. `change` as in PathTracerSettings.
   SceneTextures(const gl::Device& device, const Scene& scene, const SceneTree& tree,
-                TreeLayout layout, const EffectSet& forced = {});
+                TreeLayout layout, const EffectChange& change = {});
   SceneTextures(const gl::Device& device, const Scene& scene, TreeLayout layout,
                 const WorkProgress& progress = {})
       : SceneTextures(device, scene, buildSceneTree(scene, device.maxTextureSize(), progress),
@@ -41,7 +41,7 @@ class SceneTextures {
 
   // Those of a scene that differs from this one as MaterialChange::numbers says.
   Surfaces surfacesOf(const gl::Device& device, const Scene& scene, const SceneTree& tree,
-                      const EffectSet& forced = {}) const;
+                      const EffectChange& change = {}) const;
   void take(Surfaces surfaces, const Environment& environment);
 
   // Sets every uniform that speaks of the scene, for the program in use.

@@ -230,6 +230,24 @@ EffectSet withForced(const EffectSet& effects, EffectSet forced) {
   return withImplied(effects | forced);
 }
 
+EffectSet without(const EffectSet& effects, const EffectSet& withheld) {
+  EffectSet rest = effects & ~withheld;
+  EffectSet plain;  // that imply nothing themselves, but may keep others from it
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    const EffectSet alone = EffectSet().set(i);
+    if (rest[i] && withImplied(alone) == alone) plain |= alone;
+  }
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    const EffectSet implied = withImplied(plain | EffectSet().set(i));
+    if ((implied & withheld).any()) rest.reset(i);
+  }
+  return rest;
+}
+
+EffectSet changed(const EffectSet& effects, const EffectChange& change) {
+  return without(withForced(effects, change.forced), change.withheld);
+}
+
 EffectSet withCamera(EffectSet effects, const Camera& camera) {
   for (const EffectReport& report : {reportLens(camera), reportOrthographic(camera)})
     effects[static_cast<std::size_t>(report.effect)] = report.on;

@@ -31,4 +31,15 @@ EffectSet withImplied(EffectSet effects);
 // parallel projection is not forced, nor a lens upon one; and the background does.
 EffectSet withForced(const EffectSet& effects, EffectSet forced);
 
+// Those of a scene but for some, and but for those that imply them.
+EffectSet without(const EffectSet& effects, const EffectSet& withheld);
+
+// What is drawn otherwise than a scene calls for, to tell what effects cost.
+struct EffectChange {
+  EffectSet forced;
+  EffectSet withheld;
+};
+
+EffectSet changed(const EffectSet& effects, const EffectChange& change);
+
 }  // namespace glimt

@@ -50,3 +50,16 @@ TEST_CASE("a picture beside the window that is cancelled leaves no file") {
   CHECK_THROWS_AS(renderToFile(picture(24, 10), 100, file, cancel), Cancelled);
   CHECK_FALSE(std::filesystem::exists(file));
 }
+
+TEST_CASE("what effects cost is told of those that the look calls for, as shares of the time") {
+  BesidePicture coated = picture(64, 64);
+  coated.view.look.materials.front().clearcoat = 1;
+  const EffectCosts costs = effectCostsOf(coated, [](float) {});
+  CHECK(costs.count("clearcoat") == 1);
+  CHECK(costs.count("triangle_lights") == 1);
+  CHECK(costs.count("glass") == 0);
+  for (const auto& [effect, share] : costs) {
+    CAPTURE(effect);
+    CHECK(share < 1);
+  }
+}

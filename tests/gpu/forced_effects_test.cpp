@@ -1,5 +1,8 @@
-// An effect that is compiled and run without being called for takes time, and changes nothing else.
+// An effect that is compiled and run without being called for takes time, and changes nothing else;
+// one that is called for and withheld is not there.
 #include <catch2/catch.hpp>
+
+#include <cmath>
 
 #include "renderer/bench/bench_mesh.h"
 #include "renderer/bench/picture_comparison.h"
@@ -47,8 +50,8 @@ Scene variedScene() {
 
 class Tracer {
  public:
-  Tracer(const TestContext& context, const Scene& scene, const EffectSet& forced)
-      : tracer_(context.device(), scene, settingsFor(forced)) {
+  Tracer(const TestContext& context, const Scene& scene, const EffectChange& change)
+      : tracer_(context.device(), scene, settingsFor(change)) {
     tracer_.resize(kSide, kSide);
   }
 
@@ -61,10 +64,10 @@ class Tracer {
   PathTracer& get() { return tracer_; }
 
  private:
-  static PathTracerSettings settingsFor(const EffectSet& forced) {
+  static PathTracerSettings settingsFor(const EffectChange& change) {
     PathTracerSettings settings;
     settings.bounces = 2;
-    settings.forced = forced;
+    settings.change = change;
     return settings;
   }
 
@@ -74,7 +77,7 @@ class Tracer {
 void checkForced(const TestContext& context, const Scene& scene, const EffectSet& forced) {
   if (withForced(effectsOf(scene), forced) == effectsOf(scene)) return;
   Tracer own(context, scene, {});
-  Tracer more(context, scene, forced);
+  Tracer more(context, scene, {forced, {}});
   // All but one compile more: unlit surfaces emit, and lights do so already.
   const bool emits = forced == EffectSet().set(static_cast<std::size_t>(Effect::unlit)) &&
                      has(effectsOf(scene), Effect::triangle_lights);
@@ -100,11 +103,32 @@ TEST_CASE("an effect that is forced on leaves the picture's mean as it is, each 
   }
 }
 
+TEST_CASE("an effect that is withheld is not compiled, and what is left draws a picture") {
+  const TestContext& context = contexts().front();
+  context.makeCurrent();
+  const auto length = [](PathTracer& tracer) {
+    std::size_t sum = 0;
+    for (const auto& [pass, text] : tracer.shaders()) sum += text.size();
+    return sum;
+  };
+  Scene scene = variedScene();
+  scene.materials[1].clearcoat = 1;
+  Tracer own(context, scene, {});
+  for (std::size_t i = 0; i < kEffectCount; ++i) {
+    if (!effectsOf(scene)[i]) continue;
+    CAPTURE(nameOf(static_cast<Effect>(i)));
+    Tracer less(context, scene, {{}, EffectSet().set(i)});
+    CHECK(length(less.get()) < length(own.get()));
+    for (const Vec4& pixel : less.radiance())
+      REQUIRE(std::isfinite(pixel.x + pixel.y + pixel.z + pixel.w));
+  }
+}
+
 TEST_CASE("a lens stays forced on when the camera is exchanged, but not upon a parallel one") {
   const TestContext& context = contexts().front();
   context.makeCurrent();
   const Scene scene = makeBenchBox();
-  Tracer tracer(context, scene, EffectSet().set(static_cast<std::size_t>(Effect::lens)));
+  Tracer tracer(context, scene, {EffectSet().set(static_cast<std::size_t>(Effect::lens)), {}});
   const auto has_lens = [&tracer] {
     return tracer.get().shaders().at("camera").find("lensRay") != std::string::npos;
   };

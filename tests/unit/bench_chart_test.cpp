@@ -73,12 +73,13 @@ std::vector<PassesRow> passesRows() {
 
 std::vector<EffectsRow> effectsRows() {
   std::vector<EffectsRow> rows;
-  for (const char* effect : {kOwnEffects, "glass", kAllEffects}) {
+  for (const char* effect : {kOwnEffects, "no_mirror", "glass", kAllEffects}) {
     EffectsRow row;
     row.scene = "box";
     row.triangles = 38;
     row.bounces = 4;
     row.effect = effect;
+    if (row.effect.starts_with(kWithheld)) row.withheld = {"mirror"};
     row.compile_seconds = Spread{0.5, 0.4, 0.6};
     row.sample_seconds = Spread{0.2, 0.1, 0.3};
     row.ratio = Spread{1.25, 1.2, 1.3};
@@ -157,8 +158,9 @@ TEST_CASE("the effects' chart names scene, bounces and effects, and has two bars
   std::vector<EffectsRow> rows = effectsRows();
   const std::string chart = chartOf(rows, conditions());
   CHECK(isWellFormed(chart));
-  for (const char* label : {"box, 38 triangles, 4 bounces", "96 x 96", "seconds per sample",
-                            "seconds to compile", ">none<", ">glass<", ">all<", ">1.25<"})
+  for (const char* label :
+       {"box, 38 triangles, 4 bounces", "96 x 96", "seconds per sample", "seconds to compile",
+        ">none<", ">no_mirror<", ">glass<", ">all<", ">1.25<"})
     CHECK_THAT(chart, Contains(label));
   CHECK_THAT(chart, !Contains("refused"));
   rows[1].compile_seconds.reset();

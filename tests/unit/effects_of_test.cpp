@@ -223,6 +223,25 @@ TEST_CASE("an effect brings what it implies, and only that") {
   CHECK(withImplied(set({Effect::lens, Effect::orthographic})) == set({Effect::orthographic}));
 }
 
+TEST_CASE("an effect that is withheld takes those with it that imply it") {
+  const auto set = [](std::initializer_list<Effect> effects) {
+    EffectSet result;
+    for (const Effect effect : effects) result.set(static_cast<std::size_t>(effect));
+    return result;
+  };
+  const EffectSet textured = set({Effect::textures, Effect::normal_maps, Effect::gloss});
+  CHECK(without(textured, set({Effect::textures})) == set({Effect::gloss}));
+  CHECK(without(textured, set({Effect::normal_maps})) == set({Effect::textures, Effect::gloss}));
+  CHECK(without(textured, set({Effect::mirror})) == textured);
+  const EffectSet glass = set({Effect::glass, Effect::absorption, Effect::thin_walls});
+  CHECK(without(glass, set({Effect::glass})).none());
+  const EffectSet both = glass | set({Effect::rough_glass});
+  CHECK(without(both, set({Effect::glass})) ==
+        set({Effect::rough_glass, Effect::absorption, Effect::thin_walls}));
+  CHECK(changed(glass, {set({Effect::lens}), set({Effect::absorption})}) ==
+        set({Effect::glass, Effect::thin_walls, Effect::lens}));
+}
+
 TEST_CASE("effects are forced upon a scene beside its own, and its camera stays what it is") {
   Scene scene = sceneOf(1);
   const EffectSet all = EffectSet().set();

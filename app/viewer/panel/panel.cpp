@@ -35,7 +35,7 @@ void drawSections(const PanelData& data, ViewerState& state, PanelFields& fields
   if (beginSection("Camera", false)) drawCameraSection(data, state, wishes);
   if (openFile()) drawFileSection(data, fields, wishes);
   if (beginSection("Scene", false)) drawSceneSection(data);
-  if (beginSection("Effects", false)) drawEffectsSection(data);
+  if (beginSection("Effects", false)) drawEffectsSection(data, wishes);
   if (beginSection("Device", false)) drawDeviceSection(data);
 }
 

@@ -7,13 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "app/viewer/beside_work.h"
 #include "app/viewer/loaded_scene.h"
 #include "app/viewer/noise_history.h"
 #include "app/viewer/orbit_camera.h"
 #include "app/viewer/viewer_state.h"
 #include "app/viewer/window_picture.h"
-#include "renderer/limit_error.h"
-#include "renderer/scene/effects_of.h"
 
 namespace glimt {
 
@@ -30,12 +29,13 @@ struct PanelData {
   const ContextInfo& device;
   const std::string& record;  // how hits are kept
   const NoiseHistory& noise;
-  const std::vector<EffectReport>& effects;
   const std::vector<std::filesystem::path>& recent;
   std::array<int, 2> size{1, 1};  // of the picture, in pixels
   WindowPace pace;
   std::optional<LimitError> limits;
   bool measuring_limits = false;
+  const std::optional<EffectCosts>& effect_costs;
+  bool measuring_effects = false;
   std::optional<float> saving;  // how far a picture in the background is
   bool comparing = false;
   bool can_undo = false;
@@ -60,6 +60,7 @@ struct PanelWishes {
   bool save_scene = false;
   bool copy_command = false;
   bool measure_limits = false;
+  bool measure_effects = false;
   bool cancel_saving = false;
   bool undo = false;
   bool redo = false;
@@ -85,6 +86,20 @@ PanelWishes drawPanel(const PanelData& data, ViewerState& state, PanelFields& fi
 // F1: the keys.
 void drawHelp(bool& shown);
 
+// What is being done, and what went wrong.
+struct NoticeData {
+  float left = 0;  // where the picture begins, as a share of the window's width
+  std::string message;
+  bool failure = false;
+  std::string preparing;  // empty: nothing is
+  std::string loading;    // the file; empty: none is
+  float progress = 0;     // of loading
+  bool can_cancel = false;
+};
+
+// Over the picture. Whether loading is to be cancelled.
+bool drawNotice(const NoticeData& notice);
+
 // --- The sections ----------------------------------------------------------------------------
 
 void drawPictureSection(const PanelData& data, ViewerState& state);
@@ -96,7 +111,7 @@ void drawVariantSection(const PanelData& data, ViewerState& state, PanelWishes& 
 void drawCameraSection(const PanelData& data, ViewerState& state, PanelWishes& wishes);
 void drawFileSection(const PanelData& data, PanelFields& fields, PanelWishes& wishes);
 void drawSceneSection(const PanelData& data);
-void drawEffectsSection(const PanelData& data);
+void drawEffectsSection(const PanelData& data, PanelWishes& wishes);
 void drawDeviceSection(const PanelData& data);
 
 // A name and what it is, in two columns.

@@ -48,7 +48,7 @@ void drawPictureSection(const PanelData& data, ViewerState& state) {
                          ImGuiSliderFlags_Logarithmic))
     state.noise_goal = 0.01f * goal;
   drawRow("time left", timeLeftText(status, state.noise_goal));
-  ImGui::Checkbox(named("##denoise"), &state.look.denoise);
+  ImGui::Checkbox(named("##denoise"), &state.denoise);
   if (ImGui::IsItemHovered())
     ImGui::SetTooltip(
         "a guess at the picture without noise; the noise told is that of the samples,"
