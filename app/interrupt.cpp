@@ -17,9 +17,7 @@ void onSignal(int) {
   restoreDefaults();
 }
 
-}  // namespace
-
-Interrupt::Interrupt() {
+void catchSignals() {
   signalled = 0;
   struct sigaction action {};
   action.sa_handler = onSignal;
@@ -29,12 +27,22 @@ Interrupt::Interrupt() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
+}  // namespace
+
+Interrupt::Interrupt() {
+  catchSignals();
+}
+
 Interrupt::~Interrupt() {
   restoreDefaults();
 }
 
 bool Interrupt::requested() const {
   return signalled != 0;
+}
+
+void Interrupt::forget() {
+  if (requested()) catchSignals();
 }
 
 }  // namespace glimt

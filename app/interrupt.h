@@ -13,6 +13,9 @@ class Interrupt {
   ~Interrupt();
 
   bool requested() const;
+
+  // What was requested is done: the next signal is a request again.
+  void forget();
 };
 
 }  // namespace glimt

@@ -249,7 +249,9 @@ Image RenderCommand::denoised(const Sampling& sampling, Renderer& renderer) {
   const Stopwatch clock;
   try {
     if (!sampling.failure.empty()) throw Error(ErrorKind::failed, "GL has failed before");
+    interrupt_->forget();
     Image image = renderer.denoised([this](float fraction) {
+      if (interrupt_->requested()) throw Error(ErrorKind::failed, "interrupted");
       if (progress_.due()) progress_.show(fmt::format("denoising, {}", percent(fraction)));
     });
     progress_.clear();

@@ -19,8 +19,8 @@ const Scene& BatchRenderer::sceneOf(const std::string& variant) {
 
 const Scene& BatchRenderer::sceneOf(const BatchPicture& picture) {
   sceneOf(picture.variant);
-  CameraOptions camera;
-  camera.name = picture.camera;
+  CameraOptions camera = job_.picture.camera;
+  if (!picture.camera.empty()) camera.name = picture.camera;
   scene_.camera = cameraOf(camera, scene_);
   if (picture.angle)
     scene_.camera = turned(scene_.camera, *picture.angle, job_.turntable->elevation);
@@ -40,7 +40,9 @@ Sampling BatchRenderer::render(const BatchPicture& picture, const Interrupt& int
   prepare(picture, progress);
   Sampling sampling = sampleUntil(*renderer_, job_.limits, interrupt, listener);
   if (job_.denoise && sampling.ended_by != EndedBy::interrupt && sampling.failure.empty())
-    sampling.picture.radiance = renderer_->denoised();
+    sampling.picture.radiance = renderer_->denoised([&interrupt](float) {
+      if (interrupt.requested()) throw Error(ErrorKind::failed, "interrupted");
+    });
   return sampling;
 }
 

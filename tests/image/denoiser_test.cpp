@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "renderer/core/image_difference.h"
 #include "tests/image/pictures.h"
@@ -119,6 +120,23 @@ TEST_CASE("the samples and what is said of their noise stay as they are, also fo
   CHECK(identical(denoising.radiance(), image));
   CHECK(denoised.denoised);
   CHECK_FALSE(denoising.radiance().denoised);
+}
+
+TEST_CASE("a picture whose denoising is given up is denoised the next time as it would have been") {
+  ContextHandle context = createOffscreenContext(Backend::egl, 2);
+  Renderer renderer(context, twoColours(), settings(16));
+  for (int i = 0; i < 8; ++i) renderer.renderSample();
+  const Image denoised = renderer.denoised();
+  for (const float share : {0.0f, 0.3f, 0.8f}) {
+    CAPTURE(share);
+    Renderer other(context, twoColours(), settings(16));
+    for (int i = 0; i < 8; ++i) other.renderSample();
+    const auto give_up = [share](float fraction) {
+      if (fraction >= share) throw std::runtime_error("given up");
+    };
+    CHECK_THROWS_AS(other.denoised(give_up), std::runtime_error);
+    CHECK(identical(other.denoised(), denoised));
+  }
 }
 
 TEST_CASE("alpha is left as it is, and what is transparent stays black") {
