@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "app/batch/batch_estimate.h"
 #include "app/batch/batch_renderer.h"
 #include "app/batch/contact_sheet.h"
 #include "app/batch/manifest.h"
+#include "app/batch/render_batch.h"
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/json_output.h"
@@ -40,11 +42,8 @@ Json jsonOrNull(const std::optional<Value>& value) {
 
 class BatchCommand {
  public:
-  explicit BatchCommand(const BatchOptions& options)
-      : options_(options),
-        job_(readBatchJob(options.job)),
-        renderer_(job_),
-        progress_(!options.quiet) {
+  BatchCommand(BatchJob job, const BatchOptions& options)
+      : options_(options), job_(std::move(job)), renderer_(job_), progress_(!options.quiet) {
     if (!options.folder.empty()) job_.folder = options.folder;
   }
 
@@ -135,7 +134,8 @@ void BatchCommand::make(const BatchPicture& picture) {
     estimate_.done(picture.size, clock.seconds());
     ++made_;
   } catch (const Error& error) {
-    if (error.kind() == ErrorKind::no_gl || interrupt_->requested()) throw;
+    endIfInterrupted();
+    if (error.kind() == ErrorKind::no_gl) throw;
     estimate_.skip(picture.size);
     fail(picture, error.what());
   }
@@ -253,7 +253,7 @@ void BatchCommand::writeContactSheet() {
     sheet.push_back({picture.variant, view, file, note, entry ? thumbnail(picture) : ""});
   }
   progress_.clear();
-  writeFile(job_.folder / kContactSheet, contactSheet(job_.file.stem().string(), sheet));
+  writeFile(job_.folder / kContactSheet, contactSheet(job_.file.stem().stem().string(), sheet));
 }
 
 // As a display shows it.
@@ -286,7 +286,14 @@ void BatchCommand::endIfInterrupted() const {
 }  // namespace
 
 int runBatch(const BatchOptions& options) {
-  BatchCommand(options).run();
+  BatchCommand(readBatchJob(options.job), options).run();
+  return 0;
+}
+
+int runBatch(const RenderOptions& options) {
+  BatchOptions batch;
+  batch.quiet = options.quiet;
+  BatchCommand(batchJobOf(options), batch).run();
   return 0;
 }
 

@@ -92,7 +92,8 @@ CommandLine::CommandLine() {
 
   CLI::App* const render = app_.add_subcommand("render", "Scene in, pictures out");
   addRenderOptions(*render, render_);
-  commands_.push_back({render, [this] { return runRender(render_); }});
+  commands_.push_back(
+      {render, [this] { return render_.isBatch() ? runBatch(render_) : runRender(render_); }});
 
   CLI::App* const merge = app_.add_subcommand("merge", "Shares of a picture's samples into one");
   addMergeOptions(*merge, merge_);

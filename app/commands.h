@@ -31,6 +31,11 @@ struct RenderOptions {
   std::filesystem::path shader_folder;  // empty: they are not written
   std::string json;                     // a file, "-" for standard output, empty for none
   bool quiet = false;
+  // More than one picture: `outputs` is then the folder that they go into.
+  std::vector<std::string> variants;  // "all" alone: those that the scene has
+  std::optional<int> angles;          // of a turntable
+
+  bool isBatch() const { return !variants.empty() || angles.has_value(); }
 };
 
 struct ViewOptions {
@@ -109,6 +114,7 @@ struct BatchOptions {
 int runRender(const RenderOptions& options);
 int runMerge(const MergeOptions& options);
 int runBatch(const BatchOptions& options);
+int runBatch(const RenderOptions& options);  // where isBatch()
 int runView(const ViewOptions& options);
 int runInfo(const InfoOptions& options);
 int runCompare(const CompareOptions& options);

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "app/auxiliary_layers.h"
+#include "app/batch/batch_job.h"
 #include "app/commands.h"
 #include "app/option_groups.h"
 #include "app/parse.h"
@@ -68,6 +69,25 @@ std::vector<std::pair<std::string, std::string>> repeated(const CLI::App& comman
   return given;
 }
 
+// What makes a batch of a render.
+void addSeries(CLI::App& command, RenderOptions& options) {
+  CLI::Option* const variants =
+      add(command, "--variants", "all|NAME[,NAME...]",
+          "A picture of each of these variants, into the folder -o; see glimt batch",
+          [&](const std::string& text) { options.variants = parseNames("--variants", text); });
+  variants->excludes(command.get_option("--variant"));
+  CLI::Option* const turntable =
+      add(command, "--turntable", "N", "A picture from each of N sides, into the folder -o",
+          [&](const std::string& text) {
+            options.angles = static_cast<int>(parseInteger("--turntable", text, 1, kMostAngles));
+          });
+  for (const char* const other :
+       {"--forecast", "--samples", "--layers", "--json", "--dump-shaders"}) {
+    variants->excludes(command.get_option(other));
+    turntable->excludes(command.get_option(other));
+  }
+}
+
 }  // namespace
 
 void addRenderOptions(CLI::App& command, RenderOptions& options) {
@@ -113,6 +133,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
                   "Write the shaders that the scene calls for into this folder")
       ->type_name("DIR");
   command.add_flag("--quiet", options.quiet, "Say nothing but errors");
+  addSeries(command, options);
 }
 
 void addMergeOptions(CLI::App& command, MergeOptions& options) {

@@ -111,19 +111,27 @@ std::array<int, 2> parseSamples(const std::string& option, const std::string& te
   reject(option, text, "FIRST:COUNT, like 0:64 or 64:64");
 }
 
-std::vector<std::string> parseChoices(const std::string& option, const std::string& text,
-                                      const std::vector<std::string>& choices) {
-  if (text == "all") return choices;
-  std::vector<std::string> chosen;
+std::vector<std::string> parseNames(const std::string& option, const std::string& text) {
+  std::vector<std::string> names;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string name = text.substr(begin, end - begin);
-    if (std::find(choices.begin(), choices.end(), name) == choices.end())
-      reject(option, text, fmt::format("all, or some of {}", fmt::join(choices, ",")));
-    chosen.push_back(name);
+    if (name.empty() || std::find(names.begin(), names.end(), name) != names.end())
+      reject(option, text, "different names with commas between them");
+    names.push_back(name);
     begin = end + 1;
   }
-  return chosen;
+  return names;
+}
+
+std::vector<std::string> parseChoices(const std::string& option, const std::string& text,
+                                      const std::vector<std::string>& choices) {
+  if (text == "all") return choices;
+  std::vector<std::string> names = parseNames(option, text);
+  for (const std::string& name : names)
+    if (std::find(choices.begin(), choices.end(), name) == choices.end())
+      reject(option, text, fmt::format("all, or some of {}", fmt::join(choices, ",")));
+  return names;
 }
 
 glm::dvec3 parseVector(const std::string& option, const std::string& text) {

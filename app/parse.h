@@ -29,6 +29,9 @@ std::array<int, 2> parseSize(const std::string& option, const std::string& text)
 // "FIRST:COUNT", FIRST from 0 and COUNT from 1 on.
 std::array<int, 2> parseSamples(const std::string& option, const std::string& text);
 
+// Different names, with commas between them.
+std::vector<std::string> parseNames(const std::string& option, const std::string& text);
+
 // Some of `choices`, with commas between them, or "all".
 std::vector<std::string> parseChoices(const std::string& option, const std::string& text,
                                       const std::vector<std::string>& choices);

@@ -20,7 +20,7 @@ constexpr int kDeepest = 8;
 constexpr double kLargestFloat = std::numeric_limits<float>::max();
 
 constexpr Range kSide = {1, 16384, "an integer between 1 and 16384"};
-constexpr Range kAngles = {1, 100'000, "an integer between 1 and 100000"};
+constexpr Range kAngles = {1, kMostAngles, "an integer between 1 and 100000"};
 constexpr Range kDegrees = {-kLargestFloat, kLargestFloat, "a number of degrees"};
 constexpr Range kElevation = {-89, 89, "a number of degrees between -89 and 89"};
 constexpr Range kSamples = {1, std::numeric_limits<int>::max(), "an integer above 0"};

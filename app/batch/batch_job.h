@@ -12,6 +12,8 @@
 
 namespace glimt {
 
+inline constexpr int kMostAngles = 100'000;
+
 // A camera that goes around its target.
 struct Turntable {
   int angles = 12;                 // evenly spaced, from `start` on
@@ -29,7 +31,7 @@ struct BatchJob {
   std::vector<std::string> cameras;         // of the scene
   std::optional<Turntable> turntable;       // neither: the scene's camera
   std::vector<std::array<int, 2>> sizes;    // none: the scene's, else 512x512
-  PictureOptions picture;                   // but for its size and the camera's name
+  PictureOptions picture;                   // but for its size; `cameras` name others
   Limits limits;
   bool even = false;  // every pixel has all samples, also with a limit on the noise
   bool denoise = false;

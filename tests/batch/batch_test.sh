@@ -77,6 +77,22 @@ grep -q 'deep blue' "$out/contact-sheet.html" || fail "the contact sheet has no 
   --quiet -o "$folder/alone.pfm"
 cmp "$folder/alone.pfm" "$out/deep-blue_close_24x16.pfm" || fail "glimt render gives another picture"
 
+# glimt render makes a batch without a job.
+some=$folder/some
+set -- render "$folder/scene.scene.json" --turntable 2 --size 24x16 --spp 8
+ends 0 "4 pictures made, 0 up to date" "$@" --variants all -o "$some"
+ends 0 "0 pictures made, 2 up to date" "$@" --variant red -o "$some"
+[ -s "$some/red_000_24x16.png" ] && [ -s "$some/contact-sheet.html" ] || fail "files are missing"
+ends 0 "1 picture made, 0 up to date" render "$folder/scene.scene.json" --variants red --camera close \
+  --size 24x16 --spp 8 -o "$folder/close"
+cmp "$folder/close/red_24x16.png" "$out/red_close_24x16.png" || fail "render's batch is another one"
+ends 2 "name one folder" "$@" --variants all -o "$some.png"
+ends 2 "no picture to write" "$@" --variants all
+ends 2 "excludes" "$@" --variants all --variant red -o "$some"
+ends 2 "excludes" "$@" --layers all -o "$some"
+ends 2 "different names" "$@" --variants red,,blue -o "$some"
+ends 3 "no variant 'green'" "$@" --variants green -o "$some"
+
 # Only what is out of date is made again.
 ends 0 "0 pictures made, 12 up to date" batch "$job"
 rm "$out/red_045_12x8.png"
