@@ -13,6 +13,13 @@ Look lookOf(const Scene& scene, const std::string& variant, int bounces, float e
           tone};
 }
 
+bool sameLight(const Look& a, const Look& b) {
+  Look displayed = a;
+  displayed.exposure = b.exposure;
+  displayed.tone = b.tone;
+  return displayed == b;
+}
+
 void apply(const Look& look, Scene& scene) {
   scene.materials = look.materials;
   scene.environment.strength = look.environment_strength;

@@ -23,6 +23,9 @@ struct Look {
 // The scene's own.
 Look lookOf(const Scene& scene, const std::string& variant, int bounces, float exposure, Tone tone);
 
+// Whether light does the same in both: they differ at most in how it is displayed.
+bool sameLight(const Look& a, const Look& b);
+
 // Gives the scene's materials and environment the look. The materials are those of the variant.
 void apply(const Look& look, Scene& scene);
 

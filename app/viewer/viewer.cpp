@@ -188,10 +188,8 @@ void Viewer::draw() {
   if (state_.look != before || state_.denoise != denoised) {
     asked_ = true;
     event_age_ = since_events_.seconds();
-    // Of what is not shown any more.
-    effect_costs_.reset();
-    if (costing_) costing_->cancel();
   }
+  if (!sameLight(state_.look, before)) forgetMeasured();
   if (state_.material != selected) outline_wanted_ = true;
   // A slider that is held is one step when it is let go.
   if (history_ && !ImGui::IsAnyItemActive()) history_->keep(state_.look);

@@ -78,6 +78,7 @@ class Viewer final : private WindowListener {
   void copyCommand();
   void measureLimits();
   void measureEffects();
+  void forgetMeasured();
   void savePicture(const SavedPicture& picture);
   void tell(const std::string& text, bool failure = false);
   BesidePicture besidePicture(std::array<int, 2> size) const;

@@ -17,6 +17,15 @@ namespace {
 constexpr double kRestSeconds = 0.3;
 constexpr int kOutlineDivisor = 2;
 
+// Of a measurement that is done, and not of what is not shown any more.
+template <typename Result>
+std::optional<Result> takeFrom(std::unique_ptr<BackgroundTask<Result>>& task) {
+  const auto done = std::move(task);
+  std::optional<Result> result = done->take();
+  if (done->cancelled()) result.reset();
+  return result;
+}
+
 }  // namespace
 
 void Viewer::takeOutline() {
@@ -45,8 +54,8 @@ void Viewer::takeOutline() {
 
 void Viewer::takeFinished() {
   try {
-    if (measuring_ && measuring_->done()) limits_ = std::exchange(measuring_, nullptr)->take();
-    if (costing_ && costing_->done()) effect_costs_ = std::exchange(costing_, nullptr)->take();
+    if (measuring_ && measuring_->done()) limits_ = takeFrom(measuring_);
+    if (costing_ && costing_->done()) effect_costs_ = takeFrom(costing_);
     if (saving_ && saving_->done())
       tell(std::exchange(saving_, nullptr)->take().value_or("no picture was written"));
   } catch (const Error& error) {
@@ -76,6 +85,14 @@ void Viewer::measureEffects() {
         return effectCostsOf(picture, progress);
       },
       Window::wake);
+}
+
+// Of what is not shown any more.
+void Viewer::forgetMeasured() {
+  limits_.reset();
+  effect_costs_.reset();
+  if (measuring_) measuring_->cancel();
+  if (costing_) costing_->cancel();
 }
 
 void Viewer::savePicture(const SavedPicture& picture) {

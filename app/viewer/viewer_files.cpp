@@ -86,8 +86,7 @@ void Viewer::show(std::shared_ptr<const LoadedScene> loaded) {
   }
   file_look_ = look;
   scene_ = std::move(loaded);
-  limits_.reset();
-  effect_costs_.reset();
+  forgetMeasured();
   noise_.clear();
   asked_ = true;
   frames_wanted_ = 3;

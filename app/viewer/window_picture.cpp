@@ -22,14 +22,6 @@ bool sameCamera(const Camera& a, const Camera& b) {
          a.aperture_blades == b.aperture_blades;
 }
 
-// What light does in both is the same: they differ at most in how it is displayed.
-bool sameLight(const View& a, const View& b) {
-  Look displayed = a.look;
-  displayed.exposure = b.look.exposure;
-  displayed.tone = b.look.tone;
-  return a.scene == b.scene && displayed == b.look;
-}
-
 bool sameSurfaces(const Look& a, const Look& b) {
   return a.materials == b.materials && a.environment_strength == b.environment_strength &&
          a.environment_rotation == b.environment_rotation;
@@ -39,7 +31,8 @@ bool sameSurfaces(const Look& a, const Look& b) {
 
 void WindowPicture::ask(const View& view, const Camera& camera, std::array<int, 2> size,
                         std::uint64_t serial) {
-  const bool same = sameLight(view, view_) && sameCamera(camera, camera_) && size == size_;
+  const bool same = view.scene == view_.scene && sameLight(view.look, view_.look) &&
+                    sameCamera(camera, camera_) && size == size_;
   view_ = view;
   camera_ = camera;
   size_ = size;
