@@ -173,8 +173,7 @@ Scene RenderCommand::load() {
 Limits RenderCommand::limits() const {
   Limits limits{options_.samples, options_.seconds, options_.noise};
   if (options_.share) limits.samples = options_.share->count;
-  if (!limits.samples && !limits.seconds && !limits.noise) limits.samples = kDefaultSamples;
-  return limits;
+  return orDefault(limits);
 }
 
 Sampling RenderCommand::sampleFor(Renderer& renderer) {

@@ -19,6 +19,8 @@ namespace {
 // How long an interrupt waits for an answer, about.
 constexpr double kChunk = 0.1;
 
+constexpr int kDefaultSamples = 256;
+
 constexpr int kUnlimited = std::numeric_limits<int>::max();
 
 std::optional<EndedBy> limitMet(const Limits& limits, const Sampling& done) {
@@ -84,6 +86,11 @@ void sample(Renderer& renderer, const Limits& limits, const Interrupt& interrupt
 }
 
 }  // namespace
+
+Limits orDefault(Limits limits) {
+  if (!limits.samples && !limits.seconds && !limits.noise) limits.samples = kDefaultSamples;
+  return limits;
+}
 
 std::optional<double> secondsLeft(const Limits& limits, const Sampling& done) {
   if (done.samples == 0) return std::nullopt;

@@ -11,15 +11,15 @@
 
 namespace glimt {
 
-// Of a picture for which no limit is named.
-constexpr int kDefaultSamples = 256;
-
 // The first one met ends the render. At least one is set.
 struct Limits {
   std::optional<int> samples;
   std::optional<double> seconds;
   std::optional<double> noise;  // as NoiseEstimate::upper
 };
+
+// The limits, or 256 samples where none is set.
+Limits orDefault(Limits limits);
 
 enum class EndedBy { samples, time, noise, interrupt, failure };
 

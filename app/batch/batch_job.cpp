@@ -121,8 +121,7 @@ Limits readLimits(const JsonFields& fields) {
   limits.seconds = fields.number("time", kSeconds);
   if (const auto percent = fields.number("noise", kPercent))
     limits.noise = 0.01 * static_cast<double>(*percent);
-  if (!limits.samples && !limits.seconds && !limits.noise) limits.samples = kDefaultSamples;
-  return limits;
+  return orDefault(limits);
 }
 
 Backend readBackend(const JsonFields& fields) {

@@ -31,8 +31,7 @@ BatchJob batchJobOf(const RenderOptions& options) {
   if (options.angles) job.turntable = Turntable{*options.angles, 0, {}};
   if (options.picture.size) job.sizes = {*options.picture.size};
   job.picture = options.picture;
-  job.limits = {options.samples, options.seconds, options.noise};
-  if (!options.samples && !options.seconds && !options.noise) job.limits.samples = kDefaultSamples;
+  job.limits = orDefault({options.samples, options.seconds, options.noise});
   job.even = options.even;
   job.denoise = options.denoise;
   job.backend = options.backend;
