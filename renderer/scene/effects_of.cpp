@@ -113,8 +113,8 @@ EffectReport reportPunctualLights(const Scene& scene) {
 }
 
 EffectReport reportManyLights(const Scene& scene) {
-  // A rectangle is two triangles, and choosing among points of three rectangles saves little.
-  constexpr std::size_t kFew = 6;
+  // A rectangle is two triangles, and choosing among the points of a single one saves little.
+  constexpr std::size_t kFew = 2;
   const std::size_t count = emittingTriangles(scene) + shiningLights(scene);
   const bool many = count > kFew;
   if (reportEnvironmentMap(scene).on)
