@@ -113,8 +113,9 @@ EffectReport reportPunctualLights(const Scene& scene) {
 }
 
 EffectReport reportManyLights(const Scene& scene) {
-  // A rectangle is two triangles, and choosing among the points of a single one saves little.
-  constexpr std::size_t kFew = 2;
+  // A rectangle is two triangles. Among few the brightest is nearly always taken, and where it is
+  // hidden, the light of the others would be found by chance.
+  constexpr std::size_t kFew = 6;
   const std::size_t count = emittingTriangles(scene) + shiningLights(scene);
   const bool many = count > kFew;
   if (reportEnvironmentMap(scene).on)

@@ -130,11 +130,11 @@ TEST_CASE("a light that shines turns on punctual_lights and nothing else") {
 
 TEST_CASE("light samples are chosen among where lights are many or the environment is a picture") {
   Scene scene = sceneOf(1);
-  scene.lights.resize(2);
-  CHECK(reportOn(scene, Effect::many_lights).reason == "2 lights are few");
+  scene.lights.resize(6);
+  CHECK(reportOn(scene, Effect::many_lights).reason == "6 lights are few");
   CHECK_FALSE(reportOn(scene, Effect::many_lights).on);
-  scene.lights.resize(3);
-  CHECK(reportOn(scene, Effect::many_lights).reason == "3 lights are many");
+  scene.lights.resize(7);
+  CHECK(reportOn(scene, Effect::many_lights).reason == "7 lights are many");
   CHECK(has(effectsOf(scene), Effect::many_lights));
 
   scene.lights.clear();
