@@ -1,6 +1,5 @@
 #!/bin/sh
-# What each effect would have cost that a scene does not call for: rows of the table in
-# docs/effects.md, and its chart.
+# What each effect costs a scene, or would cost: rows of the tables in docs/effects.md, and the chart.
 # usage, after ./dev build: tests/bench/effects_table.sh CHART.svg [SCENE] [--side N]...
 set -eu
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)
