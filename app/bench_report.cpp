@@ -136,15 +136,17 @@ std::string textOf(const std::optional<Spread>& spread, int decimals) {
                      spread->most);
 }
 
+std::string agreementOf(const EffectsRow& row) {
+  if (row.effect == kOwnEffects) return "reference";
+  if (!row.agrees) return "another picture";
+  return *row.agrees ? "yes" : "NO";
+}
+
 std::string textOf(const EffectsRow& row) {
   std::string text = fmt::format("{:<21}", row.effect);
   if (row.sample_seconds) {
-    const std::string agrees =
-        row.effect == kOwnEffects
-            ? "reference"
-            : (!row.agrees ? "another picture" : (*row.agrees ? "yes" : "NO"));
     text += fmt::format("{:<17} {:<24} {:<17} {}", textOf(row.compile_seconds, 2),
-                        textOf(row.sample_seconds, 4), textOf(row.ratio, 2), agrees);
+                        textOf(row.sample_seconds, 4), textOf(row.ratio, 2), agreementOf(row));
   }
   return row.note.empty() ? text : text + "; " + row.note;
 }

@@ -1,23 +1,12 @@
 #include "app/batch/render_batch.h"
 
-#include <algorithm>
-#include <array>
-#include <string_view>
-
 #include "renderer/core/error.h"
+#include "renderer/core/image_file.h"
 
 namespace glimt {
-namespace {
-
-bool isPicture(const std::filesystem::path& path) {
-  constexpr std::array<std::string_view, 4> kPictures{".png", ".exr", ".pfm", ".hdr"};
-  return std::find(kPictures.begin(), kPictures.end(), path.extension()) != kPictures.end();
-}
-
-}  // namespace
 
 BatchJob batchJobOf(const RenderOptions& options) {
-  if (options.outputs.size() != 1 || isPicture(options.outputs.front()))
+  if (options.outputs.size() != 1 || isImageFile(options.outputs.front()))
     throw Error(ErrorKind::usage,
                 "--variants and --turntable make several pictures; name one folder for them, like "
                 "-o pictures");

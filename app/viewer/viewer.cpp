@@ -136,6 +136,8 @@ void Viewer::ask() {
   if (!asked_) return;
   asked_ = false;
   const bool moved = !rest && scene_ != nullptr;
+  const View& shown = request_.view;
+  if (scene_ != shown.scene || !sameLight(state_.look, shown.look)) forgetMeasured();
   if (beside_) beside_->denoise = state_.denoise;
   request_ = {{scene_, state_.look, state_.denoise},
               beside_,
@@ -189,7 +191,6 @@ void Viewer::draw() {
     asked_ = true;
     event_age_ = since_events_.seconds();
   }
-  if (!sameLight(state_.look, before)) forgetMeasured();
   if (state_.material != selected) outline_wanted_ = true;
   // A slider that is held is one step when it is let go.
   if (history_ && !ImGui::IsAnyItemActive()) history_->keep(state_.look);
@@ -206,7 +207,11 @@ void Viewer::moveDivider() {
 NoticeData Viewer::notice() {
   const double lasts = message_is_failure_ ? kFailureSeconds : kMessageSeconds;
   if (since_message_.seconds() > lasts) message_.clear();
-  NoticeData notice{pictureLeft(), message_, message_is_failure_, {}, {}, 0, scene_ != nullptr};
+  NoticeData notice;
+  notice.left = pictureLeft();
+  notice.message = message_;
+  notice.failure = message_is_failure_;
+  notice.can_cancel = scene_ != nullptr;
   if (loading_) {
     notice.loading = loading_choice_->path.filename().string();
     notice.progress = loading_->progress();

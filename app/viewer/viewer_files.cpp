@@ -86,7 +86,6 @@ void Viewer::show(std::shared_ptr<const LoadedScene> loaded) {
   }
   file_look_ = look;
   scene_ = std::move(loaded);
-  forgetMeasured();
   noise_.clear();
   asked_ = true;
   frames_wanted_ = 3;

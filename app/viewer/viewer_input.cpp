@@ -171,7 +171,6 @@ void Viewer::frame() {
 
 // Another look, from the history.
 void Viewer::step(const Look& look) {
-  if (!sameLight(look, state_.look)) forgetMeasured();
   state_.look = look;
   asked_ = true;
   frames_wanted_ = 3;

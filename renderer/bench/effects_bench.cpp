@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <array>
 #include <memory>
 
 #include "renderer/bench.h"
@@ -24,10 +23,6 @@ std::vector<std::string> namesOf(const EffectSet& effects) {
     if (effects[static_cast<std::size_t>(i)]) names.push_back(nameOf(static_cast<Effect>(i)));
   return names;
 }
-
-// What is told by another picture, not by what it takes to draw it.
-constexpr std::array kNotWithheld{Effect::orthographic, Effect::transparent_background,
-                                  Effect::shadow_catcher};
 
 // The scene's own effects with some forced upon them, or without some.
 struct Candidate {
@@ -76,8 +71,7 @@ class EffectsBench {
  private:
   void addCandidates() {
     add(kOwnEffects, {});
-    EffectSet withheld = own_;
-    for (const Effect effect : kNotWithheld) withheld.reset(static_cast<std::size_t>(effect));
+    const EffectSet withheld = changeable(own_);
     for (int i = 0; i < kEffectCount; ++i) {
       const EffectSet one = EffectSet().set(static_cast<std::size_t>(i));
       if ((withheld & one).any()) add(kWithheld + nameOf(static_cast<Effect>(i)), {{}, one});

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "renderer/core/error.h"
@@ -39,6 +40,14 @@ Image decode(ImageFormat format, std::string_view bytes) {
   return {};
 }
 
+std::optional<ImageFormat> formatNamed(const std::string& extension) {
+  if (extension == ".png") return ImageFormat::png;
+  if (extension == ".exr") return ImageFormat::exr;
+  if (extension == ".pfm") return ImageFormat::pfm;
+  if (extension == ".hdr") return ImageFormat::hdr;
+  return std::nullopt;
+}
+
 [[noreturn]] void wrongKind(const fs::path& path, const char* what) {
   throw Error(ErrorKind::usage, fmt::format("{}: {}", printable(path.string()), what));
 }
@@ -64,13 +73,14 @@ void demandPlausibleSize(long long width, long long height, std::size_t bytes,
   }
 }
 
+bool isImageFile(const fs::path& path) {
+  return formatNamed(lowerExtension(path)).has_value();
+}
+
 ImageFormat imageFormatOf(const fs::path& path) {
-  const std::string extension = lowerExtension(path);
-  if (extension == ".png") return ImageFormat::png;
-  if (extension == ".exr") return ImageFormat::exr;
-  if (extension == ".pfm") return ImageFormat::pfm;
-  if (extension == ".hdr") return ImageFormat::hdr;
-  wrongKind(path, "unknown kind of picture; use .png, .exr, .pfm or .hdr");
+  const std::optional<ImageFormat> format = formatNamed(lowerExtension(path));
+  if (!format) wrongKind(path, "unknown kind of picture; use .png, .exr, .pfm or .hdr");
+  return *format;
 }
 
 Image readImage(const fs::path& path) {

@@ -10,6 +10,7 @@ namespace glimt {
 // By the file's extension (upper or lower case). Errors: usage, for an extension that is neither.
 enum class ImageFormat { png, exr, pfm, hdr };
 ImageFormat imageFormatOf(const std::filesystem::path& path);
+bool isImageFile(const std::filesystem::path& path);  // whether it is one of them
 
 // Reads .exr, .pfm and .hdr; a .png is decoded from sRGB to linear. Errors: input.
 Image readImage(const std::filesystem::path& path);

@@ -224,11 +224,15 @@ EffectSet withImplied(EffectSet effects) {
   return effects;
 }
 
-EffectSet withForced(const EffectSet& effects, EffectSet forced) {
+EffectSet changeable(EffectSet effects) {
   for (const Effect effect :
        {Effect::orthographic, Effect::transparent_background, Effect::shadow_catcher})
-    forced.reset(static_cast<std::size_t>(effect));
-  return withImplied(effects | forced);
+    effects.reset(static_cast<std::size_t>(effect));
+  return effects;
+}
+
+EffectSet withForced(const EffectSet& effects, const EffectSet& forced) {
+  return withImplied(effects | changeable(forced));
 }
 
 EffectSet without(const EffectSet& effects, const EffectSet& withheld) {

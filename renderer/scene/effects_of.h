@@ -27,9 +27,13 @@ EffectSet withCamera(EffectSet effects, const Camera& camera);
 // Of a lens and a parallel projection, the latter.
 EffectSet withImplied(EffectSet effects);
 
-// Those of a scene, and forced ones that no part of it calls for. The camera stays what it is: a
-// parallel projection is not forced, nor a lens upon one; and the background does.
-EffectSet withForced(const EffectSet& effects, EffectSet forced);
+// Without the parallel projection, which takes another's place, and what the background brings:
+// they make another picture, so that they are neither forced nor withheld.
+EffectSet changeable(EffectSet effects);
+
+// Those of a scene, and changeable ones that no part of it calls for. A lens is not forced upon a
+// parallel projection.
+EffectSet withForced(const EffectSet& effects, const EffectSet& forced);
 
 // Those of a scene but for some, and but for those that imply them.
 EffectSet without(const EffectSet& effects, const EffectSet& withheld);

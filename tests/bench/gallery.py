@@ -30,9 +30,11 @@ def render(build, scene, picture, limits):
 
 
 def row(scene, facts):
-    noise = facts["noise"] or {"relative": float("nan"), "likely": float("nan")}
-    return (f"| {scene} | {facts['triangles']:,} | {facts['samples']:,} | {facts['seconds']['render']:.0f} "
-            f"| {100 * noise['relative']:.1f}% | {100 * noise['likely']:.1f}% |")
+    noise = facts["noise"]
+    told = ([f"{100 * noise[key]:.1f}%" for key in ("relative", "likely")] if noise
+            else ["not measured"] * 2)
+    return (f"| {scene} | {facts['triangles']:,} | {facts['samples']:,} "
+            f"| {facts['seconds']['render']:.0f} | {told[0]} | {told[1]} |")
 
 
 def strip(pictures, file):

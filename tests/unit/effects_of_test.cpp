@@ -23,6 +23,12 @@ EffectReport reportOn(const Scene& scene, Effect effect) {
   return {};
 }
 
+EffectSet set(std::initializer_list<Effect> effects) {
+  EffectSet result;
+  for (const Effect effect : effects) result.set(static_cast<std::size_t>(effect));
+  return result;
+}
+
 }  // namespace
 
 TEST_CASE("every effect is reported once, on or off, with its name and a reason") {
@@ -205,11 +211,6 @@ TEST_CASE("coats, fibres, thin walls and absorption turn on their effect, where 
 }
 
 TEST_CASE("an effect brings what it implies, and only that") {
-  const auto set = [](std::initializer_list<Effect> effects) {
-    EffectSet result;
-    for (const Effect effect : effects) result.set(static_cast<std::size_t>(effect));
-    return result;
-  };
   CHECK(withImplied(set({Effect::environment_map})) ==
         set({Effect::environment_map, Effect::environment}));
   CHECK(withImplied(set({Effect::normal_maps})) == set({Effect::normal_maps, Effect::textures}));
@@ -224,11 +225,6 @@ TEST_CASE("an effect brings what it implies, and only that") {
 }
 
 TEST_CASE("an effect that is withheld takes those with it that imply it") {
-  const auto set = [](std::initializer_list<Effect> effects) {
-    EffectSet result;
-    for (const Effect effect : effects) result.set(static_cast<std::size_t>(effect));
-    return result;
-  };
   const EffectSet textured = set({Effect::textures, Effect::normal_maps, Effect::gloss});
   CHECK(without(textured, set({Effect::textures})) == set({Effect::gloss}));
   CHECK(without(textured, set({Effect::normal_maps})) == set({Effect::textures, Effect::gloss}));
