@@ -6,37 +6,61 @@
 #if TRIANGLE_LIGHTS || ENVIRONMENT || PUNCTUAL_LIGHTS
 const int LIGHT_CANDIDATES = 8;
 
-// Candidates are evenly spread over what chooses the light, and by the R3 sequence (Roberts 2018)
-// over the rest.
+// Of the choices, that does not ask how much light a candidate brings: a bright light that is hidden
+// would else put out all others.
+const float EVEN_SHARE = 0.125;
+
+// Where the kind of light that a random number chooses begins and ends.
+vec2 kindAround(float random) {
+  if (random < uLightShares.x) return vec2(0.0, uLightShares.x);
+  if (random < 1.0 - uLightShares.z) return vec2(uLightShares.x, 1.0 - uLightShares.z);
+  return vec2(1.0 - uLightShares.z, 1.0);
+}
+
+// Candidates are of one kind, so that the sun behind a roof is not preferred to the lamp under it.
+// They are evenly spread over what chooses the light, and by the R3 sequence (Roberts 2018) over the
+// rest.
 vec4 candidatePoint(vec4 random, float index) {
   vec3 rest = index * vec3(0.8191725134, 0.6710436067, 0.5497004779);
-  return fract(random + vec4(rest.xy, index / float(LIGHT_CANDIDATES), rest.z));
+  vec2 kind = kindAround(random.w);
+  float extent = kind.y - kind.x;
+  float within = fract((random.w - kind.x) / extent + rest.z);
+  return vec4(fract(random.xyz + vec3(rest.xy, index / float(LIGHT_CANDIDATES))),
+              kind.x + within * extent);
 }
 
 Reflection sampleReflection(Surface surface, Frame frame, Bsdf bsdf, vec3 wo, vec3 origin,
                             vec4 random, bool alone) {
-  // Independent of the candidates, which ask for few of the bits.
+  // One in eight samples in a row, and independent of the candidates: they are the same for all z
+  // that differ by eighths.
+  bool even = random.z < EVEN_SHARE;
   float choice = lowBits(random.w, random.z);
   Reflection chosen = Reflection(vec3(1.0), 1.0, vec3(0.0), false, false);
+  float chosen_weight = 1.0;
   float sum = 0.0;
+  float count = 0.0;
   for (int i = 0; i < LIGHT_CANDIDATES; ++i) {
     LightSample light = sampleLight(surface, frame, origin, candidatePoint(random, float(i)));
     Reflection candidate = reflectionOf(light, surface, frame, bsdf, wo, alone);
     vec3 radiance = candidate.radiance;
-    float largest = max(radiance.r, max(radiance.g, radiance.b));
-    bool counts = candidate.possible && largest > 0.0;
-    sum += counts ? largest : 0.0;
-    float chance = counts ? largest / sum : 0.0;
-    if (choice < chance) {
-      chosen = candidate;
-      chosen.radiance /= largest;
-      choice /= chance;
-    } else {
-      choice = (choice - chance) / max(1.0 - chance, 1.0e-7);
+    float weight = candidate.possible ? max(radiance.r, max(radiance.g, radiance.b)) : 0.0;
+    if (weight > 0.0) {
+      sum += weight;
+      count += 1.0;
+      float chance = even ? 1.0 / count : weight / sum;
+      if (choice < chance) {
+        chosen = candidate;
+        chosen_weight = weight;
+        choice /= chance;
+      } else {
+        choice = (choice - chance) / max(1.0 - chance, 1.0e-7);
+      }
+      choice = clamp(choice, 0.0, 0.99999994);
     }
-    choice = clamp(choice, 0.0, 0.99999994);
   }
-  chosen.radiance *= sum / float(LIGHT_CANDIDATES);
+  float probability = (1.0 - EVEN_SHARE) * chosen_weight / max(sum, 1.0e-30) +
+                      EVEN_SHARE / max(count, 1.0);
+  chosen.radiance /= float(LIGHT_CANDIDATES) * probability;
   return chosen;
 }
 #endif

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -17,6 +18,9 @@ namespace {
 
 const double kPi = std::acos(-1.0);
 constexpr float kAlbedo = 0.6f;
+
+const std::array kDimLamps{Vec3(1.5f, 1, -0.5f), Vec3(1.5f, 1, 0.5f), Vec3(2.5f, 1, -0.5f),
+                           Vec3(2.5f, 1, 0.5f)};
 
 Material lamp(float radiance) {
   Material material = lambert("lamp", Vec3(0), Vec3(radiance));
@@ -50,6 +54,29 @@ Scene floorOnly() {
 
 Image spot(const Scene& scene, int bounces, int samples = slowDriver() ? 64 : 256) {
   return hardPicture(scene, settingsFor(16, bounces), samples);
+}
+
+// A wall at x = 0 that no light passes, and four lamps on this side of it.
+Scene lampsBesideWall() {
+  Scene scene = floorOnly();
+  addQuad(scene, Vec3(0, -1, -50), Vec3(0, 0, 100), Vec3(0, 50, 0),
+          add(scene, lambert("wall", Vec3(0))));
+  const std::uint32_t dim = add(scene, lamp(1));
+  for (const Vec3& center : kDimLamps) addLamp(scene, center, 0.25f, dim);
+  lookAtSpot(scene, Vec3(3.8f, 0.9f, 0), Vec3(2, 0, 0));
+  return scene;
+}
+
+void checkLampsAreSeen(const Scene& scene, const std::string& name, double bound) {
+  double expected = 0;
+  for (const Vec3& center : kDimLamps)
+    expected += floorRadiance(square(glm::dvec3(center), 0.25), glm::dvec3(2, 0, 0), 1);
+  for (const int bounces : {0, 2})
+    checkAtMost(
+        "light", fmt::format("{}, {} bounces", name, bounces),
+        "mean of a spot under lamps beside it, relative error",
+        relativeError(meanRadiance(spot(scene, bounces, slowDriver() ? 256 : 1024)), expected),
+        bound);
 }
 
 // Pixels that are not exactly black.
@@ -97,6 +124,30 @@ TEST_CASE("a light a million times brighter than another does not put it out") {
                               on_dim_side ? "dim one" : "bright one"),
                   what, relativeError(meanRadiance(spot(scene, bounces)), expected), 0.02);
   }
+}
+
+TEST_CASE("a lamp a million times brighter behind a wall does not put out many") {
+  Scene scene = lampsBesideWall();
+  addLamp(scene, Vec3(-2, 1, 0), 0.5f, add(scene, lamp(1e6f)));
+  checkLampsAreSeen(scene, "a lamp of 1e6 behind a wall", 0.05);
+}
+
+TEST_CASE("a sun behind a wall does not put out lamps") {
+  Scene scene = lampsBesideWall();
+  PunctualLight sun;
+  sun.kind = PunctualLight::Kind::directional;
+  sun.direction = glm::normalize(Vec3(1, -1, 0));
+  sun.intensity = Vec3(1e6f);
+  scene.lights.push_back(sun);
+  checkLampsAreSeen(scene, "a sun of 1e6 behind a wall", 0.002);
+}
+
+TEST_CASE("a sky's sun behind a wall does not put out lamps") {
+  Scene scene = lampsBesideWall();
+  scene.environment.color = Vec3(1);
+  scene.environment.image = {32, 16, std::vector<Vec3>(32 * 16, Vec3(0))};
+  scene.environment.image.pixels[4 * 32] = Vec3(1e6f);  // towards -x, half way up
+  checkLampsAreSeen(scene, "a sky with a sun of 1e6 behind a wall", 0.002);
 }
 
 TEST_CASE("ten thousand lights light like one of their area") {
