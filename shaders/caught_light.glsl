@@ -5,7 +5,7 @@ vec3 caughtLight(HitRecord record, vec4 random, bool wanted) {
   Surface surface = surfaceOf(record);
   vec3 origin = leaveSurface(surface.position, surface.geometric, surface.error_scale);
   Frame frame = frameAround(surface.normal);
-  LightSample light = sampleLight(surface, frame, origin, random);
+  LightSample light = sampleLight(surface, frame, origin, lightShares(true), random);
   float cosine = dot(light.direction, surface.normal);
   wanted = wanted && light.possible && cosine > 0.0;
   float visible = visibility(origin, light.to, light.far, wanted);

@@ -56,27 +56,27 @@ LightSample samplePunctual(Surface surface, vec3 origin, float choice) {
 #endif
 
 #if TRIANGLE_LIGHTS || PUNCTUAL_LIGHTS || ENVIRONMENT
-// Each kind of light gets its share of the samples. What chooses among the kinds is stretched to a
-// random number again for the one that needs four of them.
-LightSample sampleLight(Surface surface, Frame frame, vec3 origin, vec4 random) {
+// Each kind of light gets its share of the samples, see lightShares. What chooses among the kinds is
+// stretched to a random number again for the one that needs four of them.
+LightSample sampleLight(Surface surface, Frame frame, vec3 origin, vec3 shares, vec4 random) {
 #if TRIANGLE_LIGHTS
   LightSample light = sampleTriangleLight(surface, origin, random.z, random.xy);
-  light.pdf *= uLightShares.y;
+  light.pdf *= shares.y;
 #endif
 #if PUNCTUAL_LIGHTS
   LightSample punctual = samplePunctual(surface, origin, random.z);
-  punctual.pdf *= uLightShares.z;
+  punctual.pdf *= shares.z;
 #if TRIANGLE_LIGHTS
-  if (random.w >= 1.0 - uLightShares.z) light = punctual;
+  if (random.w >= 1.0 - shares.z) light = punctual;
 #else
   LightSample light = punctual;
 #endif
 #endif
 #if ENVIRONMENT
-  bool to_sky = random.w < uLightShares.x;
-  float left = to_sky ? random.w / uLightShares.x : 0.0;
+  bool to_sky = random.w < shares.x;
+  float left = to_sky ? random.w / shares.x : 0.0;
   LightSample sky = sampleEnvironmentLight(frame, vec4(random.xyz, left));
-  sky.pdf *= uLightShares.x;
+  sky.pdf *= shares.x;
 #if TRIANGLE_LIGHTS || PUNCTUAL_LIGHTS
   if (to_sky) light = sky;
 #else

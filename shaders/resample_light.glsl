@@ -11,18 +11,18 @@ const int LIGHT_CANDIDATES = 8;
 const float EVEN_SHARE = 0.125;
 
 // Where the kind of light that a random number chooses begins and ends.
-vec2 kindAround(float random) {
-  if (random < uLightShares.x) return vec2(0.0, uLightShares.x);
-  if (random < 1.0 - uLightShares.z) return vec2(uLightShares.x, 1.0 - uLightShares.z);
-  return vec2(1.0 - uLightShares.z, 1.0);
+vec2 kindAround(float random, vec3 shares) {
+  if (random < shares.x) return vec2(0.0, shares.x);
+  if (random < 1.0 - shares.z) return vec2(shares.x, 1.0 - shares.z);
+  return vec2(1.0 - shares.z, 1.0);
 }
 
 // Candidates are of one kind, so that the sun behind a roof is not preferred to the lamp under it.
 // They are evenly spread over what chooses the light, and by the R3 sequence (Roberts 2018) over the
 // rest.
-vec4 candidatePoint(vec4 random, float index) {
+vec4 candidatePoint(vec4 random, float index, vec3 shares) {
   vec3 rest = index * vec3(0.8191725134, 0.6710436067, 0.5497004779);
-  vec2 kind = kindAround(random.w);
+  vec2 kind = kindAround(random.w, shares);
   float extent = kind.y - kind.x;
   float within = fract((random.w - kind.x) / extent + rest.z);
   return vec4(fract(random.xyz + vec3(rest.xy, index / float(LIGHT_CANDIDATES))),
@@ -35,12 +35,14 @@ Reflection sampleReflection(Surface surface, Frame frame, Bsdf bsdf, vec3 wo, ve
   // that differ by eighths.
   bool even = random.z < EVEN_SHARE;
   float choice = lowBits(random.w, random.z);
+  vec3 shares = lightShares(alone);
   Reflection chosen = Reflection(vec3(1.0), 1.0, vec3(0.0), false, false);
   float chosen_weight = 1.0;
   float sum = 0.0;
   float count = 0.0;
   for (int i = 0; i < LIGHT_CANDIDATES; ++i) {
-    LightSample light = sampleLight(surface, frame, origin, candidatePoint(random, float(i)));
+    vec4 point = candidatePoint(random, float(i), shares);
+    LightSample light = sampleLight(surface, frame, origin, shares, point);
     Reflection candidate = reflectionOf(light, surface, frame, bsdf, wo, alone);
     vec3 radiance = candidate.radiance;
     float weight = candidate.possible ? max(radiance.r, max(radiance.g, radiance.b)) : 0.0;

@@ -3,7 +3,7 @@
 #if TRIANGLE_LIGHTS || ENVIRONMENT || PUNCTUAL_LIGHTS
 Reflection sampleReflection(Surface surface, Frame frame, Bsdf bsdf, vec3 wo, vec3 origin,
                             vec4 random, bool alone) {
-  LightSample light = sampleLight(surface, frame, origin, random);
+  LightSample light = sampleLight(surface, frame, origin, lightShares(alone), random);
   return reflectionOf(light, surface, frame, bsdf, wo, alone);
 }
 #endif

@@ -28,40 +28,59 @@ double areaOfAll(const Scene& scene) {
   return area;
 }
 
+// What surfaces would get from all sides if nothing were between, in the mean.
+struct Irradiances {
+  double environment = 0;
+  double nearby = 0;
+};
+
 // Rays that surfaces send out by chance find an even environment as well as its light samples do:
 // those only add to the rays' number, while lights nearby depend on theirs. With irradiances E of
 // the environment and e of the lights, the variance is about v E^2 / (1 + share) + e^2 / (1 -
 // share); it is least where (1 + share) / (1 - share) = sqrt(v) E / e.
-double evenEnvironmentShare(double environment_irradiance, double nearby_irradiance) {
+double usualShare(const Irradiances& irradiances) {
   constexpr double kDeviation = 0.25;  // sqrt(v), fitted to scenes in the open and in rooms
-  constexpr double kLeast = 1.0 / 16;  // a path's last surface sends no ray
-  constexpr double kMost = 0.5;
-  const double environment = kDeviation * environment_irradiance;
-  return std::clamp((environment - nearby_irradiance) / (environment + nearby_irradiance), kLeast,
-                    kMost);
+  const double environment = kDeviation * irradiances.environment;
+  const double nearby = irradiances.nearby;
+  return std::clamp((environment - nearby) / (environment + nearby), 1.0 / 16, 0.5);
 }
 
-double environmentShare(const Scene& scene, double nearby_power) {
-  if (!scene.environment.shines()) return 0;
-  if (!(nearby_power > 0)) return 1;
-  if (!scene.environment.image.pixels.empty()) return 0.5;
-  return evenEnvironmentShare(kPi * meanOf(scene.environment.radiance()),
-                              nearby_power / std::max(areaOfAll(scene), 1e-30));
+// Without such rays the variance is about E^2 / share + e^2 / (1 - share).
+double shareAlone(const Irradiances& irradiances) {
+  const double all = irradiances.environment + irradiances.nearby;
+  return std::clamp(irradiances.environment / all, 0.25, 0.75);
+}
+
+Vec3 sharesOf(double environment, double of_triangles) {
+  return Vec3(environment, (1 - environment) * of_triangles,
+              (1 - environment) * (1 - of_triangles));
+}
+
+double triangleShare(double triangle_power, double punctual_power) {
+  constexpr double kLeast = 0.25;
+  const double share = triangle_power / (triangle_power + punctual_power);
+  const bool both = triangle_power > 0 && punctual_power > 0;
+  return both ? std::clamp(share, kLeast, 1 - kLeast) : share;
 }
 
 }  // namespace
 
-Vec3 lightShares(const Scene& scene, const LightTable& triangles) {
-  constexpr double kLeast = 0.25;
+LightShares lightShares(const Scene& scene, const LightTable& triangles) {
+  const Environment& environment = scene.environment;
+  const double outside = environment.shines() ? 1 : 0;
   const double punctual_power = powerOfPunctualLights(scene);
   const double triangle_power = powerOfTriangles(scene, triangles);
-  const double nearby_power = triangle_power + punctual_power;
-  if (!(nearby_power > 0)) return Vec3(scene.environment.shines() ? 1 : 0, 0, 0);
-  double of_triangles = triangle_power / nearby_power;
-  if (triangle_power > 0 && punctual_power > 0)
-    of_triangles = std::clamp(of_triangles, kLeast, 1 - kLeast);
-  const double outside = environmentShare(scene, nearby_power);
-  return Vec3(outside, (1 - outside) * of_triangles, (1 - outside) * (1 - of_triangles));
+  const double power = triangle_power + punctual_power;
+  if (!(power > 0)) return {Vec3(outside, 0, 0), Vec3(outside, 0, 0)};
+  const double of_triangles = triangleShare(triangle_power, punctual_power);
+  if (outside == 0 || !environment.image.pixels.empty()) {
+    const Vec3 shares = sharesOf(0.5 * outside, of_triangles);
+    return {shares, shares};
+  }
+  const Irradiances irradiances{kPi * meanOf(environment.radiance()),
+                                power / std::max(areaOfAll(scene), 1e-30)};
+  return {sharesOf(usualShare(irradiances), of_triangles),
+          sharesOf(shareAlone(irradiances), of_triangles)};
 }
 
 }  // namespace glimt

@@ -194,7 +194,8 @@ void SceneTextures::bind(gl::Program& program) const {
   program.set("uLightCount", static_cast<float>(light_count_));
   bindData(program, "uPunctualLights", punctual_lights_);
   program.set("uPunctualLightCount", static_cast<float>(punctual_light_count_));
-  program.set("uLightShares", light_shares_);
+  program.set("uLightShares", light_shares_.usual);
+  program.set("uLightSharesAlone", light_shares_.alone);
   program.set("uEnvironmentRadiance", environment_radiance_);
   environment_map_.bind(program);
 }

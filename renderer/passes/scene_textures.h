@@ -9,6 +9,7 @@
 #include "renderer/gl/program.h"
 #include "renderer/passes/environment_map.h"
 #include "renderer/passes/gloss_table.h"
+#include "renderer/passes/light_shares.h"
 #include "renderer/passes/scene_tree.h"
 #include "renderer/passes/texture_atlas.h"
 #include "renderer/scene/effects_of.h"
@@ -32,7 +33,7 @@ class SceneTextures {
     gl::Texture materials;
     gl::Texture lights;
     std::size_t light_count = 0;
-    Vec3 light_shares{0};  // see light_shares.h
+    LightShares light_shares;
     GlossContents gloss;
     std::optional<gl::Texture> gloss_table;
     bool environment_is_map = false;
@@ -72,7 +73,7 @@ class SceneTextures {
   Vec3 grid_cell_{1};
   std::size_t light_count_ = 0;
   std::size_t punctual_light_count_ = 0;
-  Vec3 light_shares_{0};  // see light_shares.h
+  LightShares light_shares_;
   Vec3 environment_radiance_{0};
   EnvironmentMap environment_map_;
   bool environment_is_map_ = false;

@@ -74,7 +74,7 @@ TEST_CASE("a render to a noise ends when the noise is below it, and not long aft
   Renderer renderer(context, ballOnFloor(), settings(1));
   const Interrupt interrupt;
   Progress progress(false);
-  constexpr double kGoal = 0.06;
+  constexpr double kGoal = 0.03;
   const Sampling sampling = sampleUntil(renderer, {5000, {}, kGoal}, interrupt, progress);
   CHECK(sampling.ended_by == EndedBy::noise);
   REQUIRE(sampling.noise);
@@ -95,7 +95,7 @@ TEST_CASE("a picture of an environment of one colour has no noise but rounding")
 }
 
 TEST_CASE("where calm parts rest, fewer samples give the noise that was asked for") {
-  constexpr double kGoal = 0.08;
+  constexpr double kGoal = 0.04;
   RenderSettings large = settings(1000);
   large.width = large.height = 2 * kSide;
   const Image converged = render(ballOnFloor(), large, 512);

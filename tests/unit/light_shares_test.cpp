@@ -23,8 +23,12 @@ Scene floorAndLamp(float radiance) {
   return scene;
 }
 
-Vec3 sharesOf(const Scene& scene) {
+LightShares bothSharesOf(const Scene& scene) {
   return lightShares(scene, buildLightTable(scene));
+}
+
+Vec3 sharesOf(const Scene& scene) {
+  return bothSharesOf(scene).usual;
 }
 
 }  // namespace
@@ -54,6 +58,17 @@ TEST_CASE("an even environment's share grows with its light beside that of the l
     if (radiance < 2) CHECK(shares.x == Approx(1.0 / 16));
   }
   CHECK(before == Approx(0.5));
+}
+
+TEST_CASE("where no ray finds the environment by chance it gets a quarter at least") {
+  Scene scene = floorAndLamp(100);
+  scene.environment.color = Vec3(0.1f);
+  CHECK(bothSharesOf(scene).alone.x == Approx(0.25));
+  scene.environment.color = Vec3(1);
+  const LightShares shares = bothSharesOf(scene);
+  CHECK(shares.alone.x > 0.25f);
+  CHECK(shares.alone.x < 0.75f);
+  CHECK(shares.alone.x + shares.alone.y + shares.alone.z == Approx(1));
 }
 
 TEST_CASE("a picture of the sky and what is nearby get half of the light samples each") {
