@@ -8,3 +8,7 @@ struct BsdfSample {
 
 // Far above any density, and its square is still a float.
 const float PDF_DELTA = 1.0e15;
+
+// What reflects as sharply as this: a light sample in such a direction is worth far more than it
+// brings elsewhere, so after the last bounce rays still look for light in these directions.
+const float PDF_SHARP = 2.0;

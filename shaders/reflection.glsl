@@ -9,7 +9,7 @@ struct Reflection {
   bool behind;  // whether the light comes through the surface
 };
 
-// `alone`: no ray will come upon the light by chance.
+// `alone`: no ray will come upon the light by chance, but where the surface is sharp.
 Reflection reflectionOf(LightSample light, Surface surface, Frame frame, Bsdf bsdf, vec3 wo,
                         bool alone) {
   vec3 wi = toFrame(frame, light.direction);
@@ -20,9 +20,10 @@ Reflection reflectionOf(LightSample light, Surface surface, Frame frame, Bsdf bs
   bool behind = false;
   bool possible = light.possible && wi.z > 0.0;
 #endif
-  alone = alone || !light.by_chance;
   float pdf = LIGHT_SAMPLE_WORTH * light.pdf;
-  float weight = alone ? 1.0 : powerHeuristic(pdf, pdfBsdf(bsdf, wo, wi));
+  float pdf_by_chance = pdfBsdf(bsdf, wo, wi);
+  bool by_chance = light.by_chance && (!alone || pdf_by_chance >= PDF_SHARP);
+  float weight = by_chance ? powerHeuristic(pdf, pdf_by_chance) : 1.0;
   vec3 radiance = evalBsdf(bsdf, wo, wi) * light.radiance * (weight / light.pdf);
   return Reflection(light.to, light.far, radiance, possible, behind);
 }

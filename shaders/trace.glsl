@@ -47,18 +47,19 @@ PathRay scatteredRay(HitRecord record, bool ended, vec4 random) {
 }
 
 // Weight of emission found by this ray against sampling it as a light.
-float emissionWeight(PathRay ray, Hit hit) {
+float emissionWeight(PathRay ray, Hit hit, bool alone) {
   float weight = 1.0;
+  vec3 shares = lightShares(alone);
 #if TRIANGLE_LIGHTS
   if (hit.triangle < TRIANGLE_UNKNOWN) {
-    float density = LIGHT_SAMPLE_WORTH * fetchEmission(hit.material).density * uLightShares.y;
+    float density = LIGHT_SAMPLE_WORTH * fetchEmission(hit.material).density * shares.y;
     float cosine = 0.25 * abs(facingOf(hit.volumes)) / hit.area;
     weight = powerHeuristic(ray.pdf, density * hit.t * hit.t / max(cosine, 1.0e-7));
   }
 #endif
 #if ENVIRONMENT
   if (hit.triangle == TRIANGLE_NONE)
-    weight = powerHeuristic(ray.pdf, LIGHT_SAMPLE_WORTH * uLightShares.x *
+    weight = powerHeuristic(ray.pdf, LIGHT_SAMPLE_WORTH * shares.x *
                                          environmentPdf(ray.direction, ray.cosine));
 #endif
   return weight;

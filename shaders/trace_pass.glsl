@@ -1,5 +1,5 @@
 // The trace pass: one ray of every path. The camera pass is the same without a record to start from.
-uniform float uDeltaOnly;  // 1: follows only what mirrors, glass and clear coats send on, else 0
+uniform float uSharpOnly;  // 1: follows only what leaves a surface in a sharp direction, else 0
 
 void main() {
   vec2 pixel = pixelCenter();
@@ -11,8 +11,9 @@ void main() {
   bool live = readRecord(pixel, start);
   PathRay ray = scatteredRay(start, !live, random);
 #endif
-#if (MIRROR || GLASS || CLEARCOAT) && FROM_RECORD
-  ray.wanted = ray.wanted && (uDeltaOnly < 0.5 || ray.pdf >= PDF_DELTA);
+#if FROM_RECORD
+  bool sharp_only = uSharpOnly > 0.5;
+  ray.wanted = ray.wanted && (!sharp_only || ray.pdf >= PDF_SHARP);
 #endif
 #if SHADOW_CATCHER && FROM_RECORD
   ray.wanted = ray.wanted && !isShadowCatcher(start);
@@ -25,7 +26,7 @@ void main() {
 #if FROM_CAMERA
   float weight = 1.0;
 #else
-  float weight = emissionWeight(ray, hit);
+  float weight = emissionWeight(ray, hit, sharp_only);
 #endif
   vec4 rounding = vec4(ray.random, random.w, lowBits(ray.random), lowBits(random.w));
   writeRecord(recordOf(ray, hit, weight), goesOn(ray, hit), rounding);

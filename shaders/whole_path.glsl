@@ -18,7 +18,7 @@ Path startPath(PathRay ray) {
 // no light sample competes with.
 void meetSurface(inout Path path, vec4 random, bool first, bool last) {
   Hit hit = followRay(path.ray);
-  path.record = recordOf(path.ray, hit, first ? 1.0 : emissionWeight(path.ray, hit));
+  path.record = recordOf(path.ray, hit, first ? 1.0 : emissionWeight(path.ray, hit, false));
   vec3 throughput = path.record.throughput;
   float largest = max(throughput.r, max(throughput.g, throughput.b));
   path.ended = !goesOn(path.ray, hit) || !(largest >= LEAST_THROUGHPUT);

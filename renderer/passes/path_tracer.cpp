@@ -31,6 +31,13 @@ constexpr int kFirstRoulette = 2;
 // No sample that is finite is brighter.
 constexpr float kNeverClamped = 1e30f;
 
+// Whether there may be directions as dense as PDF_SHARP of shaders/bsdf_sample.glsl.
+bool reflectsSharply(const EffectSet& effects) {
+  return has(effects, Effect::mirror) || has(effects, Effect::gloss) ||
+         has(effects, Effect::glass) || has(effects, Effect::rough_glass) ||
+         has(effects, Effect::clearcoat);
+}
+
 Record recordFor(const gl::Device& device, const std::string& name) {
   const Record& record = recordNamed(name);
   const bool several = record.samplers.size() > 1;
@@ -77,9 +84,9 @@ PathTracer::PathTracer(const gl::Device& device, const Scene& scene,
 void PathTracer::planStages() {
   stages_.clear();
   for (int bounce = 0; bounce <= bounces_; ++bounce) planBounce(bounce);
-  // Light samples find nothing for a mirror or glass, so at the last surface a ray looks for it.
-  const bool reflects_singly = has(effects_, Effect::mirror) || has(effects_, Effect::clearcoat);
-  if (reflects_singly || has(effects_, Effect::glass)) planBounce(bounces_ + 1);
+  // Light samples find nothing for a mirror, and little for what is nearly one, so at the last
+  // surface a ray looks for it.
+  if (reflectsSharply(effects_)) planBounce(bounces_ + 1);
   stages_.push_back({Pass::accumulate, 0});
   if ((samples_ + 1) % SAMPLES_PER_BLOCK == 0) stages_.push_back({Pass::close_block, 0});
 }
@@ -311,7 +318,7 @@ void PathTracer::drawStage(const Stage& stage, const gl::Tile& tile) {
     state.limit = stage.pass == Pass::escape ? gl::Limit::unmarked_then_mark : gl::Limit::unmarked;
   if (stage.pass == Pass::camera || stage.pass == Pass::trace) {
     bindCamera(program, camera_, film_.width(), film_.height());
-    program.set("uDeltaOnly", stage.bounce > bounces_ ? 1.0f : 0.0f);
+    program.set("uSharpOnly", stage.bounce > bounces_ ? 1.0f : 0.0f);
     program.set("uRoulette", roulette_ && stage.bounce >= kFirstRoulette ? 1.0f : 0.0f);
     film_.record.back().bind();
     drawRays(tile, state);

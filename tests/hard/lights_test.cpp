@@ -150,6 +150,19 @@ TEST_CASE("a sky's sun behind a wall does not put out lamps") {
   checkLampsAreSeen(scene, "a sky with a sun of 1e6 behind a wall", 0.002);
 }
 
+TEST_CASE("chrome that the last bounce meets gives no fireflies") {
+  Scene scene = floorOnly();
+  addLamp(scene, Vec3(0, 4, 3), 1, add(scene, lamp(10)));
+  Material chrome = lambert("chrome", Vec3(0.9f));
+  chrome.metallic = 1;
+  chrome.roughness = 0.06f;
+  addQuad(scene, Vec3(-3, 0, -2), Vec3(6, 0, 0), Vec3(0, 4, 0), add(scene, chrome));
+  const Image image = spot(scene, 1, slowDriver() ? 64 : 256);
+  checkAtMost("light", "a floor beside chrome, one bounce",
+              "brightest pixel of a spot, of its mean", brightest(image) / meanRadiance(image),
+              1.5);
+}
+
 TEST_CASE("ten thousand lights light like one of their area") {
   Scene scene = floorOnly();
   const std::uint32_t material = add(scene, lamp(10));
