@@ -1,6 +1,6 @@
 // What a path that has met a triangle adds to its pixel. Emission found there, and one sample of the
-// light that arrives. `last` is 1 where no further ray will look for emission, 2 where moreover no
-// light is sampled, else 0.
+// light that arrives. `last` is 1 where no further ray will look for emission but in sharp directions,
+// 2 where moreover no light is sampled, else 0.
 
 // Marks a pixel whose path is not known. It stays negative whatever is added.
 const vec3 RADIANCE_UNKNOWN = vec3(-1.0e30);

@@ -1,6 +1,6 @@
 // A whole path in one shader, its state in local variables instead of hit records: what one pass per
-// bounce is measured against. It calls the functions that the passes call. The caller repeats
-// meetSurface and scatterPath, in a loop or written out.
+// bounce is measured against. It calls the functions that the passes call, but no ray looks for light
+// after the last surface. The caller repeats meetSurface and scatterPath, in a loop or written out.
 
 struct Path {
   PathRay ray;

@@ -157,7 +157,7 @@ TEST_CASE("chrome that the last bounce meets gives no fireflies") {
   chrome.metallic = 1;
   chrome.roughness = 0.06f;
   addQuad(scene, Vec3(-3, 0, -2), Vec3(6, 0, 0), Vec3(0, 4, 0), add(scene, chrome));
-  const Image image = spot(scene, 1, slowDriver() ? 64 : 256);
+  const Image image = spot(scene, 1, 256);
   checkAtMost("light", "a floor beside chrome, one bounce",
               "brightest pixel of a spot, of its mean", brightest(image) / meanRadiance(image),
               1.5);
