@@ -124,8 +124,8 @@ class PathTracer {
   double compileSeconds() const { return compile_seconds_; }
 
  private:
-  // One pass of a sample. After the last bounce there may be one more, on which only what mirrors
-  // and glass send on is followed.
+  // One pass of a sample. After the last bounce there may be one more, on which only what leaves
+  // a surface in a sharp direction is followed.
   struct Stage {
     Pass pass;
     int bounce;
