@@ -8,7 +8,7 @@ const int LIGHT_CANDIDATES = 8;
 
 // Of the choices, that does not ask how much light a candidate brings: a bright light that is hidden
 // would else put out all others.
-const float EVEN_SHARE = 0.125;
+const float EVEN_SHARE = 1.0 / float(LIGHT_CANDIDATES);
 
 // Where the kind of light that a random number chooses begins and ends.
 vec2 kindAround(float random, vec3 shares) {
@@ -20,9 +20,8 @@ vec2 kindAround(float random, vec3 shares) {
 // Candidates are of one kind, so that the sun behind a roof is not preferred to the lamp under it.
 // They are evenly spread over what chooses the light, and by the R3 sequence (Roberts 2018) over the
 // rest.
-vec4 candidatePoint(vec4 random, float index, vec3 shares) {
+vec4 candidatePoint(vec4 random, float index, vec2 kind) {
   vec3 rest = index * vec3(0.8191725134, 0.6710436067, 0.5497004779);
-  vec2 kind = kindAround(random.w, shares);
   float extent = kind.y - kind.x;
   float within = fract((random.w - kind.x) / extent + rest.z);
   return vec4(fract(random.xyz + vec3(rest.xy, index / float(LIGHT_CANDIDATES))),
@@ -31,17 +30,18 @@ vec4 candidatePoint(vec4 random, float index, vec3 shares) {
 
 Reflection sampleReflection(Surface surface, Frame frame, Bsdf bsdf, vec3 wo, vec3 origin,
                             vec4 random, bool alone) {
-  // One in eight samples in a row, and independent of the candidates: they are the same for all z
-  // that differ by eighths.
+  // One in eight samples in a row, and independent of the candidates: theirs are the same eight z
+  // wherever among the eighths the first is.
   bool even = random.z < EVEN_SHARE;
   float choice = lowBits(random.w, random.z);
   vec3 shares = lightShares(alone);
+  vec2 kind = kindAround(random.w, shares);
   Reflection chosen = Reflection(vec3(1.0), 1.0, vec3(0.0), false, false);
   float chosen_weight = 1.0;
   float sum = 0.0;
   float count = 0.0;
   for (int i = 0; i < LIGHT_CANDIDATES; ++i) {
-    vec4 point = candidatePoint(random, float(i), shares);
+    vec4 point = candidatePoint(random, float(i), kind);
     LightSample light = sampleLight(surface, frame, origin, shares, point);
     Reflection candidate = reflectionOf(light, surface, frame, bsdf, wo, alone);
     vec3 radiance = candidate.radiance;

@@ -10,8 +10,6 @@ void main() {
   HitRecord start;
   bool live = readRecord(pixel, start);
   PathRay ray = scatteredRay(start, !live, random);
-#endif
-#if FROM_RECORD
   bool sharp_only = uSharpOnly > 0.5;
   ray.wanted = ray.wanted && (!sharp_only || ray.pdf >= PDF_SHARP);
 #endif

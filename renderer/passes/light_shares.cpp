@@ -14,14 +14,6 @@ double meanOf(const Vec3& color) {
   return (static_cast<double>(color.r) + color.g + color.b) / 3;
 }
 
-double powerOfTriangles(const Scene& scene, const LightTable& lights) {
-  double power = 0;
-  for (const Triangle& triangle : scene.triangles)
-    if (lights.densities[triangle.material] > 0)
-      power += areaOf(scene, triangle) * emissionWeight(scene, scene.materials[triangle.material]);
-  return kPi * power;
-}
-
 double areaOfAll(const Scene& scene) {
   double area = 0;
   for (const Triangle& triangle : scene.triangles) area += areaOf(scene, triangle);
@@ -69,10 +61,9 @@ LightShares lightShares(const Scene& scene, const LightTable& triangles) {
   const Environment& environment = scene.environment;
   const double outside = environment.shines() ? 1 : 0;
   const double punctual_power = powerOfPunctualLights(scene);
-  const double triangle_power = powerOfTriangles(scene, triangles);
-  const double power = triangle_power + punctual_power;
+  const double power = triangles.power + punctual_power;
   if (!(power > 0)) return {Vec3(outside, 0, 0), Vec3(outside, 0, 0)};
-  const double of_triangles = triangleShare(triangle_power, punctual_power);
+  const double of_triangles = triangleShare(triangles.power, punctual_power);
   if (outside == 0 || !environment.image.pixels.empty()) {
     const Vec3 shares = sharesOf(0.5 * outside, of_triangles);
     return {shares, shares};

@@ -1,5 +1,8 @@
 #include "renderer/passes/light_table.h"
 
+#include <numbers>
+#include <numeric>
+
 #include "renderer/passes/alias_table.h"
 #include "renderer/scene/texture_uses.h"
 
@@ -18,15 +21,17 @@ std::vector<double> emittingAreas(const Scene& scene, const std::vector<double>&
   return areas;
 }
 
+// Of all materials, Lambert's pi left out.
+double powerOf(const std::vector<double>& weights, const std::vector<double>& areas) {
+  return std::inner_product(areas.begin(), areas.end(), weights.begin(), 0.0);
+}
+
 // Of samples on each material. Their integral over all areas is 1.
 std::vector<double> densitiesOf(const std::vector<double>& weights,
                                 const std::vector<double>& areas) {
-  double total_power = 0;
+  const double total_power = powerOf(weights, areas);
   double materials = 0;
-  for (std::size_t i = 0; i < areas.size(); ++i) {
-    total_power += areas[i] * weights[i];
-    materials += areas[i] > 0;
-  }
+  for (const double area : areas) materials += area > 0;
   std::vector<double> densities(areas.size());
   for (std::size_t i = 0; i < areas.size(); ++i)
     if (areas[i] > 0)
@@ -61,6 +66,7 @@ LightTable buildLightTable(const Scene& scene) {
     weights.push_back(emissionWeight(scene, material));
   const std::vector<double> areas = emittingAreas(scene, weights);
   table.densities = densitiesOf(weights, areas);
+  table.power = std::numbers::pi * powerOf(weights, areas);
   std::vector<double> shares;
   std::vector<std::uint32_t> triangles;
   for (std::uint32_t i = 0; i < scene.triangles.size(); ++i) {

@@ -19,6 +19,7 @@ struct LightTable {
   std::vector<LightEntry> entries;  // one per triangle that emits
   std::vector<double> densities;    // of samples on each material, per square metre; into
                                     // Scene::materials
+  double power = 0;                 // of all triangles, mean of the channels, watts
 };
 
 // Square metres.
