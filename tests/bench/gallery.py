@@ -33,8 +33,8 @@ def row(scene, facts):
     noise = facts["noise"]
     told = ([f"{100 * noise[key]:.1f}%" for key in ("relative", "likely")] if noise
             else ["not measured"] * 2)
-    return (f"| {scene} | {facts['triangles']:,} | {facts['samples']:,} "
-            f"| {facts['seconds']['render']:.0f} | {told[0]} | {told[1]} |")
+    return (f"| {scene} | {facts['triangles']:,} | {facts['mean_samples']:,.0f} "
+            f"| {facts['samples']:,} | {facts['seconds']['render']:.0f} | {told[0]} | {told[1]} |")
 
 
 def strip(pictures, file):
