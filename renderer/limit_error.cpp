@@ -14,10 +14,13 @@ namespace {
 
 // Of the small pictures: a part of the whole one's, and not more than needed.
 constexpr double kPixelsShare = 1.0 / 16;
-constexpr double kMostPixels = 48 * 48;
+constexpr double kMostPixels = 64 * 64;
 
 // Light is followed until more bounces add less than this share of it, or so many times.
 constexpr double kHardlyAny = 5e-4;
+
+// A pixel that differs from those around it by more standard deviations is not so by chance.
+constexpr double kDeviations = 3;
 
 constexpr int kLeastSamples = 2;
 constexpr int kMostSamples = 64;
@@ -31,6 +34,8 @@ using Luminances = std::vector<double>;
 struct SmallPicture {
   int width = 0;
   int height = 0;
+
+  std::size_t at(int x, int y) const { return static_cast<std::size_t>(y) * width + x; }
 };
 
 SmallPicture smallPictureOf(const RenderSettings& settings) {
@@ -70,25 +75,37 @@ struct Pictures {
   Luminances of_settings;
 };
 
-// What the errors are relative to: the mean square of two pictures over squares of three by three
-// pixels, which leaves little of their noise, and the floor's square.
+// What a pixel's error is relative to, squared, from two independent pictures. Their mean over
+// three by three pixels has little of their noise, and is nevertheless wrong where a lamp shines
+// beside the dark: there the pixel's own mean is taken, the more the further it is away from that
+// of all nine, in terms of their noise.
+double squareAt(const Luminances& first, const Luminances& second, const SmallPicture& size, int x,
+                int y) {
+  double sum = 0;
+  double variance = 0;
+  int count = 0;
+  for (int j = std::max(y - 1, 0); j <= std::min(y + 1, size.height - 1); ++j) {
+    for (int i = std::max(x - 1, 0); i <= std::min(x + 1, size.width - 1); ++i, ++count) {
+      const std::size_t at = size.at(i, j);
+      sum += 0.5 * (first[at] + second[at]);
+      variance += 0.25 * (first[at] - second[at]) * (first[at] - second[at]);
+    }
+  }
+  const double around = sum / count;
+  const double own = 0.5 * (first[size.at(x, y)] + second[size.at(x, y)]);
+  const double distance = (own - around) * (own - around);
+  const double chance = kDeviations * kDeviations * variance / count;
+  const double share = distance > 0 ? distance / (distance + chance) : 0;
+  const double light = around + share * (own - around);
+  return light * light;
+}
+
 Luminances scaleOf(const Luminances& first, const Luminances& second, const SmallPicture& size) {
   const double floor = 0.25 * 0.5 * (meanOf(first) + meanOf(second));
   Luminances scale;
-  for (int y = 0; y < size.height; ++y) {
-    for (int x = 0; x < size.width; ++x) {
-      double sum = 0;
-      int count = 0;
-      for (int j = std::max(y - 1, 0); j <= std::min(y + 1, size.height - 1); ++j) {
-        for (int i = std::max(x - 1, 0); i <= std::min(x + 1, size.width - 1); ++i, ++count) {
-          const auto at = static_cast<std::size_t>(j) * size.width + i;
-          sum += 0.5 * (first[at] + second[at]);
-        }
-      }
-      const double mean = sum / count;
-      scale.push_back(mean * mean + floor * floor);
-    }
-  }
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x)
+      scale.push_back(squareAt(first, second, size, x, y) + floor * floor);
   return scale;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "renderer/core/image_difference.h"
 #include "renderer/limit_error.h"
 #include "tests/image/pictures.h"
 #include "tests/image/scenes.h"
@@ -74,6 +75,19 @@ TEST_CASE("a clamp takes what is above it, and that is said") {
   CHECK(limits.light == Approx(0.6).epsilon(1e-3));
   const Image below = render(panel(1.5f), settings, 4);
   CHECK(meanOf(below).g == Approx(1.5).epsilon(1e-5));
+}
+
+TEST_CASE("what a clamp takes of a small lamp beside the dark is what the picture lacks") {
+  Scene scene = panel(0.2f);
+  addQuad(scene, Vec3(-0.2f, -0.2f, 0.1f), Vec3(0.4f, 0, 0), Vec3(0, 0.4f, 0),
+          add(scene, lambert("lamp", Vec3(0), Vec3(20))));
+  RenderSettings settings = settingsFor(256, 0);
+  const Image whole = render(scene, settings, 4);
+  settings.clamp = 1;
+  const Image clamped = render(scene, settings, 4);
+  const double lacking = differenceOf(clamped, whole).noise;
+  REQUIRE(lacking > 0.1);
+  CHECK(limitsOf(scene, settings, 0.01).clamp == Approx(lacking).epsilon(0.15));
 }
 
 TEST_CASE("a clamped sample keeps its colour") {
