@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/core/luminance.h"
+#include "renderer/core/noise_estimate.h"
 
 namespace glimt {
 namespace {
@@ -101,7 +102,7 @@ double squareAt(const Luminances& first, const Luminances& second, const SmallPi
 }
 
 Luminances scaleOf(const Luminances& first, const Luminances& second, const SmallPicture& size) {
-  const double floor = 0.25 * 0.5 * (meanOf(first) + meanOf(second));
+  const double floor = kNoiseFloor * 0.5 * (meanOf(first) + meanOf(second));
   Luminances scale;
   for (int y = 0; y < size.height; ++y)
     for (int x = 0; x < size.width; ++x)

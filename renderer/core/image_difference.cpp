@@ -8,6 +8,7 @@
 
 #include "renderer/core/error.h"
 #include "renderer/core/luminance.h"
+#include "renderer/core/noise_estimate.h"
 
 namespace glimt {
 namespace {
@@ -34,7 +35,7 @@ double noiseOf(const Image& image, const Image& reference) {
   const auto count = static_cast<double>(reference.pixels.size());
   double sum = 0;
   for (const Vec3& truth : reference.pixels) sum += luminance(truth);
-  const double floor = 0.25 * sum / count;
+  const double floor = kNoiseFloor * sum / count;
   double squares = 0;
   for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
     const double truth = luminance(reference.pixels[i]);

@@ -3,6 +3,9 @@
 
 namespace glimt {
 
+// F of the noise, as a share of the picture's mean luminance: see NoiseEstimate.
+inline constexpr double kNoiseFloor = 0.25;
+
 // Noise is the root of the mean over the pixels of
 //   (L - R)^2 / (R^2 + F^2),
 // L being the luminance of the picture and R that of the picture with infinitely many samples, both

@@ -18,9 +18,6 @@ constexpr int kFirstKept = Noise::kFirst / 2;
 // Before that it is hardly known where the noise is.
 constexpr int kFirstRest = 32;
 
-// Of the mean luminance: see NoiseEstimate.
-constexpr double kFloor = 0.25;
-
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -105,10 +102,10 @@ ChangeSums NoiseMeter::changeSince(const Accumulation& accumulation, bool last) 
   const double start = now();
   if (floor_ == 0) {
     const ChangeSums sums = readChange(accumulation, last);
-    floor_ = kFloor * sums.luminance / sums.pixels;
+    floor_ = kNoiseFloor * sums.luminance / sums.pixels;
   }
   const ChangeSums sums = readChange(accumulation, last);
-  floor_ = kFloor * sums.luminance / sums.pixels;
+  floor_ = kNoiseFloor * sums.luminance / sums.pixels;
   const double end = now();
   seconds_ += end - start;
   next_ = end + kRest * (end - start);
