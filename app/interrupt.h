@@ -4,7 +4,8 @@
 namespace glimt {
 
 // While one exists, the first SIGINT or SIGTERM only sets requested(); the second kills, as it
-// would without. At most one exists at a time.
+// would without. Signals within 0.3 s are one: what ends a process (timeout, schedulers) may send
+// several. At most one exists at a time.
 class Interrupt {
  public:
   Interrupt();
