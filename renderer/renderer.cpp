@@ -117,7 +117,7 @@ class Renderer::State {
     trial.restart();
     tracer.use(trial.traversal());
     sample_seconds_ = 0;
-    noise.restart(tracer.film().width(), tracer.film().height());
+    noise.restart(tracer.film().width(), tracer.film().height(), tracer.sampler());
     denoiser_.restart();
   }
 

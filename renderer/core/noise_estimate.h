@@ -15,6 +15,7 @@ struct NoiseEstimate {
   double relative = 0;  // the likeliest
   double lower = 0;     // the noise is above this in 95% of the cases,
   double upper = 0;     // and below this in 95%
+  double later = 1;     // upper / relative, as it will be when a few times as many samples are seen
   double resting = 0;   // share of its square that stays: of pixels that get no more samples
   double slow = 1;  // share of the noise's square that falls as 1 / samples; the rest falls with
                     // their power of 1.5

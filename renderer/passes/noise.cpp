@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace glimt {
 namespace {
@@ -9,14 +10,19 @@ namespace {
 // One-sided, at 95%.
 constexpr double kDeviations = 1.645;
 
-// Standard deviation of a measured exponent beside the one that follows from the pixels' number,
-// and how much the true one moves from one doubling to the next; docs/accuracy.md has how well the
-// claims that follow hold.
-constexpr double kExponentDeviation = 0.1;
-constexpr double kExponentDrift = 0.05;
+// Standard deviation of a change's logarithm to base 2, beside the one that follows from the
+// pixels' number: pixels share sequences of points.
+constexpr double kChangeDeviation = 0.12;
 
-// Of the noise, relative, beside those.
+// Of the noise, relative, beside what is uncertain about the changes.
 constexpr double kModelDeviation = 0.05;
+
+// The estimate's margin is foretold for so many doublings on.
+constexpr int kLater = 3;
+
+double square(double x) {
+  return x * x;
+}
 
 // Relative standard deviation of a sum of squares of normally distributed changes: the variance of
 // such a square is two thirds of the mean of its own square.
@@ -24,13 +30,24 @@ double deviationOf(const ChangeSums& sums) {
   return std::sqrt(2.0 / 3 * sums.fourths) / sums.squares;
 }
 
-// a / n + b / n^1.5, for n in units of the samples at the last doubling.
+// Of the logarithm to base 2.
+double varianceOf(const ChangeSums& sums) {
+  return square(deviationOf(sums) / std::numbers::ln2) + square(kChangeDeviation);
+}
+
+// The power of the samples by which changes fall, known beforehand. Light that has met a few
+// surfaces is hardly smooth.
+ChangeTrend trendOf(Sampler sampler) {
+  return sampler == Sampler::random ? ChangeTrend(1, 0.02) : ChangeTrend(1.18, 0.12);
+}
+
+// a / n + b / n^1.5, for n in units of the samples at the last doubling, whose change is 1. That of
+// the next is 2^-power.
 class Variance {
  public:
-  // The change at that doubling is 1, and that of the next 2^-exponent.
-  explicit Variance(double exponent) {
+  explicit Variance(double power) {
     const double fast = std::exp2(-1.5);
-    const double share = std::clamp((0.5 - std::exp2(-exponent)) / (0.5 - fast), 0.0, 1.0);
+    const double share = std::clamp((0.5 - std::exp2(-power)) / (0.5 - fast), 0.0, 1.0);
     a_ = 1 - share;
     b_ = share / (1 / fast - 1);
   }
@@ -39,62 +56,88 @@ class Variance {
   double slowShare(double n) const { return a_ / n / at(n); }
   double at(double n) const { return a_ / n + b_ / (n * std::sqrt(n)); }
 
-  // What is left after a change.
-  double perChange(double n, double before) const { return at(n) / (at(before) - at(n)); }
-
  private:
   double a_;
   double b_;
 };
 
-}  // namespace
-
-// A Kalman filter of one number.
-void Noise::doubled(const ChangeSums& sums, int samples) {
-  doubled_ = samples;
-  if (!(sums.squares > 0) || !(sums.squares_before > 0)) return;
-  const double measured = std::log2(sums.squares_before / sums.squares);
-  const double of_pixels = deviationOf(sums) / std::log(2.0);
-  const double variance = 2 * of_pixels * of_pixels + kExponentDeviation * kExponentDeviation;
-  variance_ += kExponentDrift * kExponentDrift;
-  const double gain = variance_ / (variance_ + variance);
-  exponent_ += gain * (measured - exponent_);
-  variance_ *= 1 - gain;
+// The logarithm of what is left at n samples.
+double left(double power, double n) {
+  return std::log2(Variance(power).at(n));
 }
 
-NoiseEstimate Noise::estimate(const ChangeSums& sums, int samples, int before) const {
+// The logarithm of the change from half of the last doubling's samples to n.
+double changed(double power, double n) {
+  const Variance variance(power);
+  return std::log2(variance.at(0.5) - variance.at(n));
+}
+
+double slopeOf(double (*function)(double power, double n), double power, double n) {
+  constexpr double kStep = 0.01;
+  return (function(power + kStep, n) - function(power - kStep, n)) / (2 * kStep);
+}
+
+// Relative, of the noise: what is uncertain about the estimate, as far as its square's logarithm is
+// that of what is left, and about the picture's own error, which is off its mean as changes are.
+double marginOf(const ChangeTrend& trend, const ChangeSums& sums, double n) {
+  const double of_left = trend.variance(slopeOf(left, trend.power(), n));
+  return kDeviations * std::sqrt(square(0.5 * std::numbers::ln2) * of_left +
+                                 square(0.5 * deviationOf(sums)) + square(kModelDeviation));
+}
+
+// When as much has been seen as will be then.
+double laterMargin(ChangeTrend trend, const ChangeSums& sums) {
+  for (int i = 0; i < kLater; ++i) {
+    trend.advance(trend.power());
+    trend.see(0, 0, varianceOf(sums));
+  }
+  return marginOf(trend, sums, 1);
+}
+
+}  // namespace
+
+Noise::Noise(Sampler sampler) : first_trend_(trendOf(sampler)), trend_(first_trend_) {}
+
+// Changes are relative to what is known of the pixels now, so that of the doubling before is
+// measured anew: as the unit.
+void Noise::doubled(const ChangeSums& sums, int samples) {
+  doubled_ = samples;
+  if (!(sums.squares > 0) || !(sums.squares_before > 0)) {
+    trend_ = first_trend_;
+    return;
+  }
+  trend_.see(-trend_.level(), 0, varianceOf(sums));
+  trend_.advance(std::log2(sums.squares_before / sums.squares));
+}
+
+NoiseEstimate Noise::estimate(const ChangeSums& sums, int samples) const {
   NoiseEstimate noise;
   noise.samples = samples;
+  ChangeTrend trend = trend_;
   const double n = static_cast<double>(samples) / doubled_;
-  const double n_before = static_cast<double>(before) / doubled_;
-  const Variance variance(exponent_);
-  noise.slow = variance.slowShare(n);
-  const double active = sums.squares * variance.perChange(n, n_before);
+  double active = 0;
+  double margin = kDeviations * kModelDeviation;
+  noise.later = 1 + margin;
+  if (sums.squares > 0) {
+    // The change is that of the last doubling, or goes beyond it.
+    const double expected = changed(trend.power(), n);
+    const double unit = samples > doubled_ && sums.squares_before > 0
+                            ? sums.squares_before
+                            : sums.squares / std::exp2(expected);
+    trend.see(std::log2(sums.squares / unit) - expected - trend.level(),
+              slopeOf(changed, trend.power(), n), varianceOf(sums));
+    active = unit * std::exp2(trend.level() + left(trend.power(), n));
+    margin = marginOf(trend, sums, n);
+    noise.later = 1 + laterMargin(trend, sums);
+  }
+  noise.slow = Variance(trend.power()).slowShare(n);
   const double total = active + sums.resting;
   if (!(total > 0)) return noise;
   noise.relative = std::sqrt(total / sums.pixels);
   noise.resting = sums.resting / total;
-  // Half of the variance's relative deviations; the picture's own error deviates as much from its
-  // mean as the estimate.
-  const double of_pixels = sums.squares > 0 ? deviationOf(sums) / std::sqrt(2.0) : 0;
-  const double step = std::sqrt(variance_);
-  const double of_exponent = 0.25 * std::log(Variance(exponent_ - step).perChange(n, n_before) /
-                                             Variance(exponent_ + step).perChange(n, n_before));
-  const double deviation = std::sqrt(of_pixels * of_pixels + of_exponent * of_exponent +
-                                     kModelDeviation * kModelDeviation);
-  noise.lower = noise.relative * std::max(1 - kDeviations * deviation, 0.0);
-  noise.upper = noise.relative * (1 + kDeviations * deviation);
+  noise.lower = noise.relative * std::max(1 - margin, 0.0);
+  noise.upper = noise.relative * (1 + margin);
   return noise;
-}
-
-double Noise::perChange(int samples, int before) const {
-  return Variance(exponent_).perChange(static_cast<double>(samples) / doubled_,
-                                       static_cast<double>(before) / doubled_);
-}
-
-double Noise::power(int samples) const {
-  const double slow = Variance(exponent_).slowShare(static_cast<double>(samples) / doubled_);
-  return slow + 1.5 * (1 - slow);
 }
 
 }  // namespace glimt

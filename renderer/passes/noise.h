@@ -2,13 +2,15 @@
 #pragma once
 
 #include "renderer/core/noise_estimate.h"
+#include "renderer/core/sampler.h"
+#include "renderer/passes/change_trend.h"
 
 namespace glimt {
 
-// Sums over a picture: of the squared relative change of its pixels' luminance between two numbers
-// of samples, of the squares of these, of the same between two numbers of samples before, and of
-// the luminance. What a change is relative to is in shaders/change.glsl. Pixels that get no more
-// samples do not change: of them it holds the noise that they have, squared.
+// Sums over a picture: of the squared relative change of its pixels' luminance, of the squares of
+// these, of the squared change at the doubling before, and of the luminance. What a change is
+// relative to is in shaders/change.glsl. Pixels that get no more samples do not change: of them it
+// holds the noise that they have, squared.
 struct ChangeSums {
   double squares = 0;
   double fourths = 0;
@@ -28,32 +30,28 @@ struct ChangeSums {
 // on:
 //   V(n) = a / n + b / n^1.5,
 // the first part being what is as random as with independent samples, the second what is smooth but
-// for edges (Mitchell 1996, "Consequences of stratified sampling in graphics"). The changes at two
-// doublings give a : b. With b = 0 the change at one is the variance of the mean of two halves.
+// for edges (Mitchell 1996, "Consequences of stratified sampling in graphics"). How the changes
+// fall from doubling to doubling gives a : b, see ChangeTrend. With b = 0 the change at one is the
+// variance of the mean of two halves.
 class Noise {
  public:
   // The first doubling whose change is known: from 4 to 8 samples.
   static constexpr int kFirst = 8;
 
+  explicit Noise(Sampler sampler = Sampler::sobol);
+
   // At `samples`, a power of two and at least 16, the change since half as many, and before that
   // since a quarter as many. To be called for each such number of samples in turn.
   void doubled(const ChangeSums& sums, int samples);
 
-  // At `samples`, with the change since `before` samples.
-  NoiseEstimate estimate(const ChangeSums& sums, int samples, int before) const;
-
-  // What is left of the variance at `samples`, in proportion to the change since `before`.
-  double perChange(int samples, int before) const;
-
-  // The power of the samples by which the variance falls at `samples`.
-  double power(int samples) const;
+  // At `samples`, from the last doubling to the next, with the change since half of the samples at
+  // that doubling. Between them, the one before is that of the doubling.
+  NoiseEstimate estimate(const ChangeSums& sums, int samples) const;
 
  private:
-  int doubled_ = kFirst;  // samples at the last doubling
-  // The power of the samples by which the changes fall from one doubling to the next. Known
-  // beforehand: light that has met a few surfaces is hardly smooth.
-  double exponent_ = 1.15;
-  double variance_ = 0.15 * 0.15;  // of the exponent
+  int doubled_ = kFirst;     // samples at the last doubling
+  ChangeTrend first_trend_;  // without having seen a change
+  ChangeTrend trend_;        // before the change of the last doubling is seen
 };
 
 }  // namespace glimt

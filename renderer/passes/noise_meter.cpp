@@ -18,6 +18,10 @@ constexpr int kFirstKept = Noise::kFirst / 2;
 // Before that it is hardly known where the noise is.
 constexpr int kFirstRest = 32;
 
+double square(double x) {
+  return x * x;
+}
+
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -32,12 +36,12 @@ int squares(int pixels) {
 
 }  // namespace
 
-void NoiseMeter::restart(int width, int height) {
+void NoiseMeter::restart(int width, int height, Sampler sampler) {
   if (width != width_ || height != height_) kept_ = TargetPair();
   width_ = width;
   height_ = height;
   last_ = 0;
-  noise_ = Noise();
+  noise_ = Noise(sampler);
   rest_ = Rest(width, height);
   estimate_.reset();
   seconds_ = 0;
@@ -118,15 +122,15 @@ bool NoiseMeter::endSample(const Accumulation& accumulation, int samples,
   if (!std::has_single_bit(static_cast<unsigned>(samples))) {
     if (!goal_ || samples < kFirstRest || samples % (last_ / 4) != 0) return false;
     measure(accumulation, samples);
-    return decideRest(samples, last_ / 2, lengths);
+    return decideRest(samples, lengths);
   }
   prepare();
   bool more_rest = false;
   if (samples >= Noise::kFirst) {
     const ChangeSums sums = changeSince(accumulation, true);
     if (samples >= 2 * Noise::kFirst) noise_.doubled(sums, samples);
-    estimate_ = noise_.estimate(sums, samples, last_);
-    more_rest = decideRest(samples, last_, lengths);
+    estimate_ = noise_.estimate(sums, samples);
+    more_rest = decideRest(samples, lengths);
   }
   keep(accumulation);
   last_ = samples;
@@ -134,18 +138,23 @@ bool NoiseMeter::endSample(const Accumulation& accumulation, int samples,
 }
 
 // After a measurement. The upper end of the estimate is what has to meet the goal.
-bool NoiseMeter::decideRest(int samples, int before, const std::vector<float>& lengths) {
+bool NoiseMeter::decideRest(int samples, const std::vector<float>& lengths) {
   if (!goal_ || samples < kFirstRest || !(estimate_->upper > 0)) return false;
+  const double pixels = static_cast<double>(width_) * height_;
+  double change = 0;
+  for (std::size_t i = 0; i < squares_.size(); ++i)
+    if (rest_.samplesOf(i) == 0) change += squares_[i].x;
+  if (!(change > 0)) return false;
+  const double active = square(estimate_->relative) * (1 - estimate_->resting) * pixels;
   std::vector<double> noise;
-  for (const Vec4& square : squares_) noise.push_back(square.x * noise_.perChange(samples, before));
+  for (const Vec4& sums : squares_) noise.push_back(sums.x * active / change);
   const double goal = *goal_ * estimate_->relative / estimate_->upper;
-  return rest_.decide(noise, lengths, samples, noise_.power(samples),
-                      goal * goal * static_cast<double>(width_) * height_);
+  return rest_.decide(noise, lengths, samples, estimate_->exponent(), square(goal) * pixels);
 }
 
 std::optional<NoiseEstimate> NoiseMeter::measure(const Accumulation& accumulation, int samples) {
   if (estimate_ && samples > estimate_->samples)
-    estimate_ = noise_.estimate(changeSince(accumulation, false), samples, last_ / 2);
+    estimate_ = noise_.estimate(changeSince(accumulation, false), samples);
   return estimate_;
 }
 

@@ -22,7 +22,7 @@ class NoiseMeter {
   explicit NoiseMeter(const gl::Device& device) : device_(&device) {}
 
   // Another picture begins. Errors: as TargetPair.
-  void restart(int width, int height);
+  void restart(int width, int height, Sampler sampler);
 
   // Lets the parts of the picture rest that are good enough for a noise of the whole of `goal`, see
   // rest.h; none: every pixel has all samples. What rests already stays so until restart().
@@ -50,7 +50,7 @@ class NoiseMeter {
   void keep(const Accumulation& accumulation);
   ChangeSums changeSince(const Accumulation& accumulation, bool last);
   ChangeSums readChange(const Accumulation& accumulation, bool last);
-  bool decideRest(int samples, int before, const std::vector<float>& lengths);
+  bool decideRest(int samples, const std::vector<float>& lengths);
   void use(gl::Program& program, const Accumulation& accumulation) const;
   void drawChecked(int width, int height, Pass pass) const;
 

@@ -70,6 +70,7 @@ class PathTracer {
 
   // Begins again with other random numbers.
   void setSampler(Sampler sampler, std::uint32_t seed);
+  Sampler sampler() const { return points_.sampler(); }
 
   // Forgets all samples, and lets nothing rest.
   void restart();

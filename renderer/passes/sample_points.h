@@ -32,6 +32,8 @@ class SamplePoints {
   explicit SamplePoints(std::uint32_t seed, Sampler sampler = Sampler::sobol)
       : seed_(seed), sampler_(sampler) {}
 
+  Sampler sampler() const { return sampler_; }
+
   // In [0, 1)^4, each coordinate a multiple of 2^-23. `group` says which of POINT_GROUPS sequences
   // it is of, that are scrambled independently of each other.
   Vec4 point(std::uint32_t sample, std::uint32_t set, std::uint32_t group = 0) const;
