@@ -1,7 +1,5 @@
 #include "renderer/passes/change_trend.h"
 
-#include <algorithm>
-
 namespace glimt {
 namespace {
 
@@ -39,8 +37,11 @@ void ChangeTrend::advance(double fall) {
   level_ += fall - power_;
   level_variance_ += power_variance_ - 2 * covariance_;
   covariance_ -= power_variance_;
-  const double stays = 1 - kRate * (2.5 - 2 * power_);
-  power_ -= kRate * (power_ - 1) * std::max(1.5 - power_, 0.0);
+  double stays = 1;  // of what the power is off
+  if (power_ < 1.5) {
+    stays -= kRate * (2.5 - 2 * power_);
+    power_ -= kRate * (power_ - 1) * (1.5 - power_);
+  }
   covariance_ *= stays;
   power_variance_ = stays * stays * power_variance_ + kDrift * kDrift;
 }
