@@ -1,13 +1,16 @@
 #include "renderer/passes/change_trend.h"
 
+#include "renderer/core/noise_estimate.h"
+
 namespace glimt {
 namespace {
 
 // Of a level of which nothing is known.
 constexpr double kUnknown = 1e4;
 
-// Where a part falls as 1 / n and the rest as 1 / n^1.5, the power goes from 1.5 to 1, at the rate
-//   d power / d ln n = -(power - 1) (1.5 - power).
+// Where a part falls as 1 / n and the rest as 1 / n^s, s being kSmoothPower, the power goes from s
+// to 1, at the rate
+//   d power / d ln n = -(power - 1) (s - power).
 // Pictures are seen to do so by a good half of that: of ln 2 for a doubling, and with a drift
 // beside it. How well the claims that follow hold is in docs/accuracy.md.
 constexpr double kRate = 0.4;
@@ -38,9 +41,11 @@ void ChangeTrend::advance(double fall) {
   level_variance_ += power_variance_ - 2 * covariance_;
   covariance_ -= power_variance_;
   double stays = 1;  // of what the power is off
-  if (power_ < 1.5) {
-    stays -= kRate * (2.5 - 2 * power_);
-    power_ -= kRate * (power_ - 1) * (1.5 - power_);
+  const double to_slow = power_ - 1;
+  const double to_smooth = kSmoothPower - power_;
+  if (to_smooth > 0) {
+    stays -= kRate * (to_smooth - to_slow);
+    power_ -= kRate * to_slow * to_smooth;
   }
   covariance_ *= stays;
   power_variance_ = stays * stays * power_variance_ + kDrift * kDrift;

@@ -41,12 +41,12 @@ ChangeTrend trendOf(Sampler sampler) {
   return sampler == Sampler::random ? ChangeTrend(1, 0.02) : ChangeTrend(1.18, 0.12);
 }
 
-// a / n + b / n^1.5, for n in units of the samples at the last doubling, whose change is 1. That of
-// the next is 2^-power.
+// a / n + b / n^kSmoothPower, for n in units of the samples at the last doubling, whose change
+// is 1. That of the next is 2^-power.
 class Variance {
  public:
   explicit Variance(double power) {
-    const double fast = std::exp2(-1.5);
+    const double fast = std::exp2(-kSmoothPower);
     const double share = std::clamp((0.5 - std::exp2(-power)) / (0.5 - fast), 0.0, 1.0);
     a_ = 1 - share;
     b_ = share / (1 / fast - 1);
@@ -54,7 +54,7 @@ class Variance {
 
   // Share of the variance that falls as 1 / n.
   double slowShare(double n) const { return a_ / n / at(n); }
-  double at(double n) const { return a_ / n + b_ / (n * std::sqrt(n)); }
+  double at(double n) const { return a_ / n + b_ / std::pow(n, kSmoothPower); }
 
  private:
   double a_;

@@ -18,10 +18,6 @@ constexpr int kFirstKept = Noise::kFirst / 2;
 // Before that it is hardly known where the noise is.
 constexpr int kFirstRest = 32;
 
-double square(double x) {
-  return x * x;
-}
-
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -145,11 +141,12 @@ bool NoiseMeter::decideRest(int samples, const std::vector<float>& lengths) {
   for (std::size_t i = 0; i < squares_.size(); ++i)
     if (rest_.samplesOf(i) == 0) change += squares_[i].x;
   if (!(change > 0)) return false;
-  const double active = square(estimate_->relative) * (1 - estimate_->resting) * pixels;
+  const double active =
+      estimate_->relative * estimate_->relative * (1 - estimate_->resting) * pixels;
   std::vector<double> noise;
   for (const Vec4& sums : squares_) noise.push_back(sums.x * active / change);
   const double goal = *goal_ * estimate_->relative / estimate_->upper;
-  return rest_.decide(noise, lengths, samples, estimate_->exponent(), square(goal) * pixels);
+  return rest_.decide(noise, lengths, samples, estimate_->exponent(), goal * goal * pixels);
 }
 
 std::optional<NoiseEstimate> NoiseMeter::measure(const Accumulation& accumulation, int samples) {
